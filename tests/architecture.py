@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Proves that the sources keep to the layout of the house: arrows point down (app -> ui -> devices -> core, and
-among core's rooms as core/CMakeLists.txt links them), core knows no Qt, threads, clocks or environment, a library
-stays in its room, every file carries its licence, no two headers define one type name in one namespace.
+"""Proves that the sources keep to the layout of the house: arrows point down (app -> ui -> devices -> core, among
+core's rooms as core/CMakeLists.txt links them, among a room's parts as they are listed), core knows no Qt, threads,
+clocks or environment, a library stays in its room, every file carries its licence, no two headers define one type
+name in one namespace.
 
   architecture.py               checks this tree; exit code 1 and one line per complaint
   architecture.py --self-test   breaks every rule once, in memory, and sees that it is noticed
@@ -32,7 +33,8 @@ QT_SCREEN = re.compile(r"Qt(Gui|Widgets|Svg|OpenGL)(/.*)?|Q(Widget|Application|G
 NOT_IN_CORE = re.compile(r"std::(jthread|thread|async|cout|cerr|random_device|time|clock)\b|\bpthread_\w+"
                          r"|\b(system|steady|high_resolution|utc)_clock\b|\b(gettimeofday|clock_gettime|getenv)\b")
 HEADERS_NOT_IN_CORE = {"thread", "future", "pthread.h", "iostream"}
-ROOM_LINE = re.compile(r"^noctule_library\((\w+)(?:\s+(?:PLAIN|COLD))*(?:\s+LINK\s+([^)]*))?\)", re.MULTILINE)
+ROOM_LINE = re.compile(r"^noctule_library\((\w+)(?:\s+(?:PLAIN|COLD))*(?:\s+PARTS\s+([\w\s]+?))?"
+                       r"(?:\s+LINK\s+([^)]*))?\)", re.MULTILINE)
 QT_SCREEN_LIBRARY = re.compile(r"\bQt5::(Gui|Widgets|Svg|OpenGL\w*|PrintSupport)\b")
 QT_OF_BASE = {"Core", "Gui", "Widgets", "Network", "Test"}  # come with the package of Qt5 itself
 FLAGS = re.compile(r"\b(add_compile_options|target_compile_options|CMAKE_CXX_FLAGS)\b")
@@ -76,7 +78,7 @@ def reached_libraries(files, complaints):
         lines = f"{layer}/CMakeLists.txt"
         for line in ROOM_LINE.finditer(files.get(lines, "")):
             library = line.group(1)
-            links = re.findall(r"\bnoctule_(\w+)", line.group(2) or "")
+            links = re.findall(r"\bnoctule_(\w+)", line.group(3) or "")
             for link in links:
                 if link not in reach:
                     complaints.append(f"{lines}: {library} links {link}, which does not stand above it")
@@ -105,6 +107,25 @@ def check_rooms(files, complaints):
                     complaints.append(f"{path}: {layer} knows {APART}")
 
 
+def check_parts(files, complaints):
+    """A room's folders: each may include the room's own files and the parts before it, the room none of them."""
+    for layer in ("core", "devices", "ui"):
+        for line in ROOM_LINE.finditer(files.get(f"{layer}/CMakeLists.txt", "")):
+            room = f"{layer}/{line.group(1).removeprefix(layer + '_')}"
+            parts = (line.group(2) or "").split()
+            for path, text in sources(files, room).items():
+                part = path.removeprefix(room + "/").rpartition("/")[0]
+                if part and part not in parts:
+                    if path.removeprefix(layer + "/") not in files[f"{layer}/CMakeLists.txt"]:  # a library of its own
+                        complaints.append(f"{path}: {room} has no part {part}")
+                    continue
+                allowed = parts[:parts.index(part) + 1] if part else []
+                for header in INCLUDE.findall(text):
+                    target = header.removeprefix(room + "/").rpartition("/")[0]
+                    if header.startswith(room + "/") and target and target not in allowed:
+                        complaints.append(f"{path}: {part or 'the room itself'} includes the part {target}")
+
+
 def check_purity(files, complaints):
     for place in PURE:
         for path, text in sources(files, place).items():
@@ -118,7 +139,7 @@ def check_purity(files, complaints):
     if "Qt5" in files["core/CMakeLists.txt"]:
         complaints.append("core/CMakeLists.txt: core links Qt")
     for line in ROOM_LINE.finditer(files.get("devices/CMakeLists.txt", "")):
-        if "devices/" + line.group(1).removeprefix("devices_") in PURE and "Qt5" in (line.group(2) or ""):
+        if "devices/" + line.group(1).removeprefix("devices_") in PURE and "Qt5" in (line.group(3) or ""):
             complaints.append(f"devices/CMakeLists.txt: {line.group(1)} links Qt")
     for library in QT_SCREEN_LIBRARY.finditer(files.get("devices/CMakeLists.txt", "")):
         complaints.append(f"devices/CMakeLists.txt: devices link {library.group(0)}, which belongs to the screen")
@@ -223,7 +244,7 @@ def check_type_names(files, complaints):
             complaints.append(f"{name} is defined in {' and in '.join(sorted(paths))}")
 
 
-CHECKS = (check_rooms, check_purity, check_layers, check_libraries, check_licences, check_words, check_top_level,
+CHECKS = (check_rooms, check_parts, check_purity, check_layers, check_libraries, check_licences, check_words, check_top_level,
           check_build, check_type_names)
 
 
@@ -327,6 +348,12 @@ def broken_trees(files):
         ("clock in the pure link", source("devices/driver_box/a.cpp", "auto t = std::chrono::steady_clock::now();"),
          "devices/driver_box uses steady_clock"),
         ("thread in the pure link", source("devices/driver_box/a.cpp", "#include <thread>"), "includes <thread>"),
+        ("a page includes a later one", source("ui/views/record/a.cpp", '#include "ui/views/export/export_page.h"'),
+         "record includes the part export"),
+        ("a room includes its part", source("ui/views/a.cpp", '#include "ui/views/export/export_page.h"'),
+         "the room itself includes the part export"),
+        ("a part that nobody compiles", source("ui/views/attic/a.cpp", ""), "ui/views has no part attic"),
+        ("a part of a part", source("ui/views/record/a/b.cpp", ""), "ui/views has no part record/a"),
         ("simulation on the screen", source("ui/views/a.cpp", '#include "core/simulation/world.h"'),
          "ui knows simulation"),
         ("stray file", {"notes.txt": ""}, "notes.txt: does not belong"),

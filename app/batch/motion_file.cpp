@@ -4,7 +4,7 @@
 #include "app/batch/files.h"
 #include "app/batch/signals.h"
 #include "core/formats/motion_document.h"
-#include "core/mesh/bone_map.h"
+#include "core/mesh/rig/bone_map.h"
 
 namespace noctule::batch {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "core/body/actor.h"
 #include "core/formats/glb_writer.h"
-#include "core/mesh/mannequin.h"
+#include "core/mesh/mannequin/mannequin.h"
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "core/film/texture_decoder.h"
-#include "core/mesh/mesh_reader.h"
+#include "core/mesh/import/mesh_reader.h"
 
 int main(int argc, char** argv) {
     const int code = noctule::runMeshReader({argv + 1, argv + argc}, noctule::decodeTexture);

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "core/mesh/moving_body.h"
+#include "core/mesh/retarget/moving_body.h"
 #include "core/motion/clip.h"
 #include "core/render/offscreen.h"
 

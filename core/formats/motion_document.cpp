@@ -9,7 +9,7 @@
 #include "core/job/limits.h"
 #include "core/math/rotation.h"
 #include "core/math/rotation_fit.h"
-#include "core/mesh/mesh_reader.h"
+#include "core/mesh/import/mesh_reader.h"
 
 namespace noctule {
 namespace {

@@ -11,8 +11,8 @@
 
 namespace noctule {
 
-/// By the name's ending; scenes are read in a process of their own (core/mesh/mesh_reader.h). `warnings` of
-/// the document say which of several animations was taken.
+/// By the name's ending; scenes are read in a process of their own (core/mesh/import/mesh_reader.h).
+/// `warnings` of the document say which of several animations was taken.
 Result<BvhDocument> readMotionDocument(const std::string& path, const JobContext& job = {});
 
 /// Whether a file's name ends as one of the kinds that readMotionDocument() reads.

@@ -6,8 +6,8 @@
 
 #include "core/body/joint_names.h"
 #include "core/math/rotation_fit.h"
-#include "core/mesh/moving_body.h"
-#include "core/mesh/rig_tree.h"
+#include "core/mesh/retarget/moving_body.h"
+#include "core/mesh/rig/rig_tree.h"
 #include "core/mesh/skinning.h"
 
 namespace noctule {

@@ -7,8 +7,8 @@
 #pragma once
 
 #include "core/formats/figure.h"
-#include "core/mesh/foot_lock.h"
-#include "core/mesh/wearable.h"
+#include "core/mesh/retarget/foot_lock.h"
+#include "core/mesh/rig/wearable.h"
 
 namespace noctule {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "core/calibration/jig_labels.h"
+#include "core/calibration/source_offsets/jig_labels.h"
 #include "core/math/order_statistics.h"
 
 namespace noctule {

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "core/calibration/known_distances.h"
+#include "core/calibration/source_offsets/known_distances.h"
 #include "core/guide/guide.h"
 
 namespace noctule {

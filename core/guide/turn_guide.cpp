@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/calibration/gyroscope_calibration.h"
-#include "core/calibration/gyroscope_turns.h"
+#include "core/calibration/gyroscope/gyroscope_calibration.h"
+#include "core/calibration/gyroscope/gyroscope_turns.h"
 #include "core/guide/side_guide.h"
 #include "core/math/order_statistics.h"
 

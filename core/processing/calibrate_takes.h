@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "core/acoustics/pulse_detector.h"
-#include "core/calibration/known_distances.h"
 #include "core/calibration/observations.h"
-#include "core/calibration/source_offsets.h"
+#include "core/calibration/source_offsets/known_distances.h"
+#include "core/calibration/source_offsets/source_offsets.h"
 #include "core/job/job.h"
 #include "core/report/calibration_document.h"
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/formats/scene_reader.h"
-#include "core/mesh/moving_body.h"
+#include "core/mesh/retarget/moving_body.h"
 #include "core/processing/check_export.h"
 
 namespace noctule {

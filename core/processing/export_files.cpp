@@ -7,8 +7,8 @@
 #include "core/formats/opensim.h"
 #include "core/formats/positions_csv.h"
 #include "core/formats/rigged_figure.h"
-#include "core/mesh/fit_mesh.h"
-#include "core/mesh/mannequin.h"
+#include "core/mesh/mannequin/mannequin.h"
+#include "core/mesh/retarget/fit_mesh.h"
 
 namespace noctule {
 namespace {

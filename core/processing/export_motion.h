@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/mesh/foot_lock.h"
+#include "core/mesh/retarget/foot_lock.h"
 #include "core/motion/timed_poses.h"
 #include "core/processing/export_take.h"
 #include "core/processing/standing_feet.h"

@@ -10,7 +10,7 @@
 #include "core/film/film.h"
 #include "core/formats/figure.h"
 #include "core/job/job.h"
-#include "core/mesh/wearable.h"
+#include "core/mesh/rig/wearable.h"
 #include "core/motion/clip.h"
 
 namespace noctule {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "core/mesh/feet_at_rest.h"
+#include "core/mesh/retarget/feet_at_rest.h"
 #include "core/motion/foot_contacts.h"
 #include "core/motion/timed_poses.h"
 

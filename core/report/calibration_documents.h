@@ -5,12 +5,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/calibration/accelerometer_calibration.h"
-#include "core/calibration/gyroscope_calibration.h"
-#include "core/calibration/motion_calibration.h"
-#include "core/calibration/rest_pose_calibration.h"
-#include "core/calibration/source_offsets.h"
-#include "core/calibration/still_check.h"
+#include "core/calibration/accelerometer/accelerometer_calibration.h"
+#include "core/calibration/gyroscope/gyroscope_calibration.h"
+#include "core/calibration/motion/motion_calibration.h"
+#include "core/calibration/rest_pose/rest_pose_calibration.h"
+#include "core/calibration/rest_pose/still_check.h"
+#include "core/calibration/source_offsets/source_offsets.h"
 #include "core/report/calibration_document.h"
 
 namespace noctule {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/math/rotation.h"
-#include "core/mesh/mannequin.h"
+#include "core/mesh/mannequin/mannequin.h"
 #include "core/render/body_scene.h"
 #include "core/robot_film/robot_mesh.h"
 

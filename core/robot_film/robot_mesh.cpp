@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <numbers>
 
-#include "core/mesh/mesh_reader.h"
+#include "core/mesh/import/mesh_reader.h"
 
 namespace noctule::robot {
 namespace {

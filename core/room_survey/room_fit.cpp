@@ -6,7 +6,7 @@
 #include <map>
 #include <tuple>
 
-#include "core/calibration/arrowhead_system.h"
+#include "core/calibration/motion/arrowhead_system.h"
 #include "core/math/linear_solvers.h"
 #include "core/math/order_statistics.h"
 #include "core/math/rotation.h"

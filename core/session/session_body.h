@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "core/mesh/rig/wearable.h"
 #include "core/mesh/skinning.h"
-#include "core/mesh/wearable.h"
 
 namespace noctule {
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "core/calibration/jig_measurements.h"
+#include "core/calibration/source_offsets/jig_measurements.h"
 #include "core/math/order_statistics.h"
 #include "core/vision/photograph_set.h"
 

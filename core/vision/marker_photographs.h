@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "core/calibration/known_distances.h"
+#include "core/calibration/source_offsets/known_distances.h"
 #include "core/job/job.h"
 #include "core/suit/suit.h"
 #include "core/vision/photograph.h"

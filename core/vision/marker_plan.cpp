@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/vision/marker_plan.h"
 
-#include "core/calibration/jig_measurements.h"
+#include "core/calibration/source_offsets/jig_measurements.h"
 
 namespace noctule {
 

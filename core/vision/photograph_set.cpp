@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "core/calibration/jig_measurements.h"
+#include "core/calibration/source_offsets/jig_measurements.h"
 
 namespace noctule {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "core/body/actor.h"
 #include "core/math/rotation.h"
-#include "core/mesh/auto_rig.h"
-#include "core/mesh/mannequin.h"
+#include "core/mesh/mannequin/mannequin.h"
+#include "core/mesh/rig/auto_rig.h"
 #include "core/mesh/skinning.h"
 #include "core/mesh/surface_graph.h"
 

@@ -8,9 +8,9 @@
 
 #include "core/body/actor.h"
 #include "core/formats/bvh.h"
-#include "core/mesh/glb_reader.h"
-#include "core/mesh/retarget.h"
-#include "core/mesh/wearable.h"
+#include "core/mesh/import/glb_reader.h"
+#include "core/mesh/retarget/retarget.h"
+#include "core/mesh/rig/wearable.h"
 #include "core/render/offscreen.h"
 #include "core/simulation/motion_fit.h"
 #include "tests/support/shared_meshes.h"

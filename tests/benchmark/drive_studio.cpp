@@ -15,8 +15,8 @@
 #include "tests/benchmark/studio_stage.h"
 #include "ui/plots/plot_panel.h"
 #include "ui/style/theme.h"
-#include "ui/views/export_page.h"
-#include "ui/views/review_page.h"
+#include "ui/views/export/export_page.h"
+#include "ui/views/review/review_page.h"
 
 namespace noctule::ui {
 namespace {

@@ -4,7 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include "core/body/actor.h"
-#include "core/mesh/glb_reader.h"
+#include "core/mesh/import/glb_reader.h"
 #include "ui/views/body_figure.h"
 
 namespace noctule::ui {

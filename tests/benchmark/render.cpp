@@ -3,7 +3,7 @@
 // argument: samples; second: with the ghost. What the screen needs is 40 ms at most (25 Hz).
 #include <benchmark/benchmark.h>
 
-#include "core/mesh/mannequin.h"
+#include "core/mesh/mannequin/mannequin.h"
 #include "core/render/body_scene.h"
 #include "core/render/offscreen.h"
 

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "core/math/rotation.h"
-#include "core/mesh/mesh_reader.h"
+#include "core/mesh/import/mesh_reader.h"
 #include "core/mesh/skinning.h"
 
 namespace {

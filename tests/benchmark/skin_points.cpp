@@ -10,7 +10,7 @@
 #include <limits>
 
 #include "core/job/atomic_file.h"
-#include "core/mesh/moving_body.h"
+#include "core/mesh/retarget/moving_body.h"
 #include "core/processing/contacts_in_force.h"
 #include "core/processing/export_files.h"
 #include "core/processing/pose_runs.h"

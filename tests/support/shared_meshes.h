@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "core/mesh/mesh_import.h"
+#include "core/mesh/import/mesh_import.h"
 
 namespace noctule::test {
 

@@ -7,7 +7,7 @@
 #include <QCoreApplication>
 #include <nlohmann/json.hpp>
 
-#include "core/mesh/glb_reader.h"
+#include "core/mesh/import/glb_reader.h"
 #include "core/recording/library_versions.h"
 
 namespace noctule::ui {

@@ -6,7 +6,7 @@
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/top_bar.h"
 #include "ui/style/words.h"
-#include "ui/views/record_page.h"
+#include "ui/views/record/record_page.h"
 
 namespace noctule::ui {
 

@@ -18,7 +18,7 @@
 #include "ui/main_window/top_bar.h"
 #include "ui/models/recording_import.h"
 #include "ui/views/readiness_words.h"
-#include "ui/views/session_commands.h"
+#include "ui/views/session/session_commands.h"
 #include "ui/widgets/step_bar.h"
 
 namespace noctule::ui {

@@ -4,12 +4,12 @@
 #include <stdexcept>
 
 #include "ui/robot/robot_page.h"
-#include "ui/views/connect_page.h"
-#include "ui/views/export_page.h"
-#include "ui/views/performer_page.h"
-#include "ui/views/record_page.h"
-#include "ui/views/review_page.h"
-#include "ui/views/start_page.h"
+#include "ui/views/connect/connect_page.h"
+#include "ui/views/export/export_page.h"
+#include "ui/views/performer/performer_page.h"
+#include "ui/views/record/record_page.h"
+#include "ui/views/review/review_page.h"
+#include "ui/views/session/start_page.h"
 #include "ui/wizards/calibrate_page.h"
 
 namespace noctule::ui {

@@ -5,8 +5,8 @@
 #include <QVBoxLayout>
 
 #include "ui/style/theme.h"
-#include "ui/views/map_legend.h"
-#include "ui/views/performer_map.h"
+#include "ui/views/connect/map_legend.h"
+#include "ui/views/connect/performer_map.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/label.h"

@@ -4,7 +4,7 @@
 #include <QDir>
 #include <QTimer>
 
-#include "ui/views/recovery_words.h"
+#include "ui/views/session/recovery_words.h"
 
 namespace noctule::ui {
 namespace {

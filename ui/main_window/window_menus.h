@@ -9,7 +9,7 @@
 
 #include "ui/main_window/window_actions.h"
 #include "ui/models/studio.h"
-#include "ui/views/recent_sessions.h"
+#include "ui/views/session/recent_sessions.h"
 
 namespace noctule::ui {
 

@@ -4,7 +4,7 @@
 #include <QFileInfo>
 #include <algorithm>
 
-#include "core/mesh/mesh_reader.h"
+#include "core/mesh/import/mesh_reader.h"
 #include "core/mesh/surface_graph.h"
 #include "ui/language/core_words.h"
 

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "core/mesh/glb_reader.h"
+#include "core/mesh/import/glb_reader.h"
 #include "core/recording/take.h"
 #include "ui/language/core_words.h"
 #include "ui/models/virtual_session.h"

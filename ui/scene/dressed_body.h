@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/mesh/moving_body.h"
+#include "core/mesh/retarget/moving_body.h"
 #include "core/render/body_scene.h"
 #include "core/render/scene.h"
 #include "ui/models/shown_body.h"

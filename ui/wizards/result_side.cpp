@@ -4,7 +4,7 @@
 #include <QVBoxLayout>
 
 #include "ui/language/core_words.h"
-#include "ui/views/process_takes_dialog.h"
+#include "ui/views/review/process_takes_dialog.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/label.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/calibration/accelerometer_calibration.h"
+#include "core/calibration/accelerometer/accelerometer_calibration.h"
 
 #include <gtest/gtest.h>
 
-#include "core/calibration/accelerometer_fit.h"
+#include "core/calibration/accelerometer/accelerometer_fit.h"
 #include "tests/core/calibration/inertial_bench.h"
 #include "tests/support/fuzzing.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/calibration/arrowhead_system.h"
+#include "core/calibration/motion/arrowhead_system.h"
 
 #include <gtest/gtest.h>
 

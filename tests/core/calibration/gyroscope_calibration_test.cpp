@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/calibration/gyroscope_calibration.h"
+#include "core/calibration/gyroscope/gyroscope_calibration.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Slope and zeros against a gyroscope that is known, without turntable and detection around it.
-#include "core/calibration/gyroscope_fit.h"
+#include "core/calibration/gyroscope/gyroscope_fit.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <memory>
 #include <sstream>
 
-#include "core/calibration/source_offsets.h"
+#include "core/calibration/source_offsets/source_offsets.h"
 #include "core/simulation/random.h"
 #include "tests/support/observed_take.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/calibration/known_distances.h"
+#include "core/calibration/source_offsets/known_distances.h"
 
 #include <gtest/gtest.h>
 

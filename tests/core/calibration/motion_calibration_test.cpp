@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Calibration from a guided movement: what it finds against the simulator's truth, and what it refuses.
 // NOCTULE_CALIBRATION_TRIALS performers for the full figures.
-#include "core/calibration/motion_calibration.h"
+#include "core/calibration/motion/motion_calibration.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 
-#include "core/calibration/rest_pose_calibration.h"
+#include "core/calibration/rest_pose/rest_pose_calibration.h"
 #include "core/formats/bvh.h"
 #include "core/math/rotation.h"
 #include "core/suit/calibration_entries.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/calibration/motion_fit.h"
+#include "core/calibration/motion/motion_fit.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "core/calibration/motion_start.h"
+#include "core/calibration/motion/motion_start.h"
 #include "core/calibration/still_stretch.h"
 #include "tests/support/guided_motion.h"
 #include "tests/support/observed_take.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/calibration/motion_held_out.h"
+#include "core/calibration/motion/motion_held_out.h"
 
 #include <gtest/gtest.h>
 

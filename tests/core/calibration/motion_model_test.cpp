@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The parts of the calibration from motion: derivatives against differences, the solver against a dense one,
 // the sums of readings against a motion that is known.
-#include "core/calibration/motion_model.h"
+#include "core/calibration/motion/motion_model.h"
 
 #include <gtest/gtest.h>
 
-#include "core/calibration/board_signal.h"
-#include "core/calibration/motion_priors.h"
+#include "core/calibration/motion/board_signal.h"
+#include "core/calibration/motion/motion_priors.h"
 #include "core/math/linear_solvers.h"
 #include "core/math/rotation.h"
 #include "core/simulation/random.h"

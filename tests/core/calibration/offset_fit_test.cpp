@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Offsets, speed of sound and delays of microphones against values that are known, and what one measurement
 // left out leaves.
-#include "core/calibration/offset_fit.h"
+#include "core/calibration/source_offsets/offset_fit.h"
 
 #include <gtest/gtest.h>
 

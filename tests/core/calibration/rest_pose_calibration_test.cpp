@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/calibration/rest_pose_calibration.h"
+#include "core/calibration/rest_pose/rest_pose_calibration.h"
 
 #include <gtest/gtest.h>
 

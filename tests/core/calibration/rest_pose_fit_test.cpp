@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The most likely pose against one that is known: what of it the fit finds, and what it says about the rest.
-#include "core/calibration/rest_pose_fit.h"
+#include "core/calibration/rest_pose/rest_pose_fit.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // Every way in which a jig, its take or its table can be wrong: said in words, what is right stays right.
 #include <gtest/gtest.h>
 
-#include "core/calibration/source_offsets.h"
+#include "core/calibration/source_offsets/source_offsets.h"
 #include "tests/core/calibration/jig_take.h"
 #include "tests/support/fuzzing.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/calibration/source_offsets.h"
+#include "core/calibration/source_offsets/source_offsets.h"
 
 #include <gtest/gtest.h>
 

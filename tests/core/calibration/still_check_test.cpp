@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/calibration/still_check.h"
+#include "core/calibration/rest_pose/still_check.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdio>
 
-#include "core/calibration/rest_pose_calibration.h"
+#include "core/calibration/rest_pose/rest_pose_calibration.h"
 #include "tests/core/calibration/standing_take.h"
 #include "tests/support/fuzzing.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A table's true speed from gravity's ripple alone: boards that turn about an axis known to lean.
-#include "core/calibration/turntable_speed.h"
+#include "core/calibration/gyroscope/turntable_speed.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "core/formats/fbx_writer.h"
 #include "core/formats/glb_writer.h"
 #include "core/formats/motion_document.h"
-#include "core/mesh/mesh_import.h"
+#include "core/mesh/import/mesh_import.h"
 #include "tests/core/figure/dialects.h"
 #include "tests/core/formats/sample_figure.h"
 #include "tests/support/files.h"

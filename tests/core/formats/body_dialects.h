@@ -9,7 +9,7 @@
 #include "core/formats/rigged_figure.h"
 #include "core/formats/scene_check.h"
 #include "core/math/rotation.h"
-#include "core/mesh/mesh_import.h"
+#include "core/mesh/import/mesh_import.h"
 #include "core/mesh/skinning.h"
 #include "tests/core/formats/sample_figure.h"
 #include "tests/support/files.h"

@@ -7,7 +7,7 @@
 #include "core/formats/glb_writer.h"
 #include "core/formats/scene_check.h"
 #include "core/math/rotation.h"
-#include "core/mesh/moving_body.h"
+#include "core/mesh/retarget/moving_body.h"
 #include "tests/core/formats/sample_figure.h"
 #include "tests/support/files.h"
 #include "tests/support/named_rig.h"

@@ -7,7 +7,7 @@
 #include "core/body/actor.h"
 #include "core/formats/bvh.h"
 #include "core/formats/figure.h"
-#include "core/mesh/glb_reader.h"
+#include "core/mesh/import/glb_reader.h"
 
 namespace noctule::test {
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/calibration/gyroscope_turns.h"
+#include "core/calibration/gyroscope/gyroscope_turns.h"
 #include "tests/core/guide/rig_health.h"
 
 namespace noctule {

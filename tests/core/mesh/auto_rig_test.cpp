@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Our skeleton in figures that have none, against the rigs that artists gave them.
-#include "core/mesh/auto_rig.h"
+#include "core/mesh/rig/auto_rig.h"
 
 #include <gtest/gtest.h>
 
 #include "core/body/actor.h"
-#include "core/mesh/bone_map.h"
-#include "core/mesh/mannequin.h"
-#include "core/mesh/retarget.h"
-#include "core/mesh/sight.h"
+#include "core/mesh/mannequin/mannequin.h"
+#include "core/mesh/retarget/retarget.h"
+#include "core/mesh/rig/bone_map.h"
+#include "core/mesh/rig/sight.h"
 #include "core/mesh/surface_graph.h"
 #include "tests/support/shared_meshes.h"
 

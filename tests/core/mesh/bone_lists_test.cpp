@@ -3,7 +3,7 @@
 // for a joint: each joint finds its own.
 #include <gtest/gtest.h>
 
-#include "core/mesh/bone_map.h"
+#include "core/mesh/rig/bone_map.h"
 
 namespace noctule {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bones of other programs find their joints by name, by shape where names say nothing, and by hand.
-#include "core/mesh/bone_map.h"
+#include "core/mesh/rig/bone_map.h"
 
 #include <gtest/gtest.h>
 

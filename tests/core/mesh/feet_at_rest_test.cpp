@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // How feet lie flat is found in the stands of a motion, and guessed from the shins without any.
-#include "core/mesh/feet_at_rest.h"
+#include "core/mesh/retarget/feet_at_rest.h"
 
 #include <gtest/gtest.h>
 

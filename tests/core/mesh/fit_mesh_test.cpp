@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A body in another performer's measures, and bones that follow joints which the performer's skeleton lacks.
-#include "core/mesh/fit_mesh.h"
+#include "core/mesh/retarget/fit_mesh.h"
 
 #include <gtest/gtest.h>
 

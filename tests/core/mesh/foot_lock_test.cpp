@@ -4,9 +4,9 @@
 
 #include "core/formats/bvh.h"
 #include "core/math/rotation.h"
-#include "core/mesh/bone_map.h"
-#include "core/mesh/moving_body.h"
-#include "core/mesh/wearable.h"
+#include "core/mesh/retarget/moving_body.h"
+#include "core/mesh/rig/bone_map.h"
+#include "core/mesh/rig/wearable.h"
 #include "core/motion/foot_contacts.h"
 #include "tests/support/named_rig.h"
 #include "tests/support/shared_meshes.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What of a foot can touch the floor, and how far it turns not to go below.
-#include "core/mesh/foot_skin.h"
+#include "core/mesh/retarget/foot_skin.h"
 
 #include <gtest/gtest.h>
 

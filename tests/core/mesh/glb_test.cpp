@@ -7,7 +7,7 @@
 #include "core/body/actor.h"
 #include "core/formats/glb_writer.h"
 #include "core/job/atomic_file.h"
-#include "core/mesh/glb_reader.h"
+#include "core/mesh/import/glb_reader.h"
 
 namespace noctule {
 namespace {

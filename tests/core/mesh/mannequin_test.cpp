@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The default body: what a renderer and a calibration may take for granted, and that the shipped file is the
 // one that the generator makes.
-#include "core/mesh/mannequin.h"
+#include "core/mesh/mannequin/mannequin.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 #include "core/body/actor.h"
 #include "core/math/rotation.h"
-#include "core/mesh/glb_reader.h"
+#include "core/mesh/import/glb_reader.h"
 #include "core/mesh/skinning.h"
 
 namespace noctule {

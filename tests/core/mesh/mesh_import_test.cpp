@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Meshes of other programs, posed: what we make of file, animation and weights equals what the program that
 // made the file drew.
-#include "core/mesh/mesh_import.h"
+#include "core/mesh/import/mesh_import.h"
 
 #include <gtest/gtest.h>
 
-#include "core/mesh/rigged_mesh_bytes.h"
+#include "core/mesh/import/rigged_mesh_bytes.h"
 #include "core/mesh/skinning.h"
 #include "tests/support/files.h"
 #include "tests/support/painted_surface.h"

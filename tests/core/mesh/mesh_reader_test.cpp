@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Meshes from outside, read by a process of its own: what it reads is what we would have read, and nothing
 // that it meets harms us.
-#include "core/mesh/mesh_reader.h"
+#include "core/mesh/import/mesh_reader.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 
 #include "core/body/actor.h"
 #include "core/formats/glb_writer.h"
-#include "core/mesh/rigged_mesh_bytes.h"
+#include "core/mesh/import/rigged_mesh_bytes.h"
 #include "tests/support/files.h"
 #include "tests/support/fuzzing.h"
 #include "tests/support/shared_meshes.h"

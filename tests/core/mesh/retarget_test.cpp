@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Our pose on other rigs: limbs point the same way in the world, soles stand on the ground.
-#include "core/mesh/retarget.h"
+#include "core/mesh/retarget/retarget.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include "core/body/actor.h"
 #include "core/formats/bvh.h"
 #include "core/math/rotation.h"
-#include "core/mesh/glb_reader.h"
+#include "core/mesh/import/glb_reader.h"
 #include "core/mesh/skinning.h"
 
 namespace noctule {

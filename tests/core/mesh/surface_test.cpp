@@ -6,8 +6,8 @@
 #include <map>
 
 #include "core/body/actor.h"
-#include "core/mesh/decimation.h"
-#include "core/mesh/surface_nets.h"
+#include "core/mesh/mannequin/decimation.h"
+#include "core/mesh/mannequin/surface_nets.h"
 
 namespace noctule {
 namespace {

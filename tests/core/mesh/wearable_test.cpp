@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // From a file to a body that moves as we do, in one go.
-#include "core/mesh/wearable.h"
+#include "core/mesh/rig/wearable.h"
 
 #include <gtest/gtest.h>
 
 #include "core/body/actor.h"
-#include "core/mesh/mannequin.h"
-#include "core/mesh/retarget.h"
+#include "core/mesh/mannequin/mannequin.h"
+#include "core/mesh/retarget/retarget.h"
 #include "tests/support/named_rig.h"
 #include "tests/support/shared_meshes.h"
 

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "core/formats/scene_reader.h"
-#include "core/mesh/gltf_document.h"
+#include "core/mesh/import/gltf_document.h"
 #include "core/processing/check_export.h"
 #include "core/processing/run_subjects.h"
 #include "core/recording/database.h"

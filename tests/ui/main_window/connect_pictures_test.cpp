@@ -2,11 +2,11 @@
 // Pictures of Connect with a suit, well and with faults.
 #include "tests/devices/support/answerer.h"
 #include "tests/ui/main_window/live_pictures.h"
-#include "ui/views/body_map.h"
-#include "ui/views/connect_page.h"
-#include "ui/views/device_card.h"
-#include "ui/views/devices_panel.h"
-#include "ui/views/readiness_panel.h"
+#include "ui/views/connect/body_map.h"
+#include "ui/views/connect/connect_page.h"
+#include "ui/views/connect/device_card.h"
+#include "ui/views/connect/devices_panel.h"
+#include "ui/views/connect/readiness_panel.h"
 #include "ui/widgets/name_field.h"
 #include "ui/widgets/tool_button.h"
 

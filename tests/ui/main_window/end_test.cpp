@@ -8,7 +8,7 @@
 #include "tests/devices/support/answerer.h"
 #include "tests/devices/support/test_box.h"
 #include "tests/ui/main_window/studio_fixture.h"
-#include "ui/views/start_page.h"
+#include "ui/views/session/start_page.h"
 #include "ui/widgets/button.h"
 
 namespace noctule::ui {

@@ -6,10 +6,10 @@
 #include "core/job/atomic_file.h"
 #include "tests/support/program_run.h"
 #include "tests/ui/main_window/studio_fixture.h"
-#include "ui/views/choice_row.h"
-#include "ui/views/export_page.h"
-#include "ui/views/reprocess_dialog.h"
-#include "ui/views/review_page.h"
+#include "ui/views/export/export_page.h"
+#include "ui/views/review/choice_row.h"
+#include "ui/views/review/reprocess_dialog.h"
+#include "ui/views/review/review_page.h"
 #include "ui/widgets/button.h"
 
 namespace noctule::ui {

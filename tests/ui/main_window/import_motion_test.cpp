@@ -9,11 +9,11 @@
 #include <QTimer>
 
 #include "core/job/atomic_file.h"
-#include "core/mesh/bone_map.h"
+#include "core/mesh/rig/bone_map.h"
 #include "tests/ui/main_window/studio_fixture.h"
 #include "ui/style/resources.h"
 #include "ui/style/theme.h"
-#include "ui/views/motion_dialog.h"
+#include "ui/views/session/motion_dialog.h"
 #include "ui/widgets/button.h"
 
 namespace noctule::ui {

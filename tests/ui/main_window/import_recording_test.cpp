@@ -13,8 +13,8 @@
 #include "tests/core/import/example_files.h"
 #include "tests/support/files.h"
 #include "tests/ui/main_window/studio_fixture.h"
-#include "ui/views/columns_dialog.h"
-#include "ui/views/recording_dialog.h"
+#include "ui/views/session/columns_dialog.h"
+#include "ui/views/session/recording_dialog.h"
 #include "ui/widgets/button.h"
 
 namespace noctule::ui {

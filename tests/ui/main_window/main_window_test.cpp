@@ -15,10 +15,10 @@
 #include "ui/main_window/status_line.h"
 #include "ui/main_window/top_bar.h"
 #include "ui/style/theme.h"
-#include "ui/views/body_map.h"
-#include "ui/views/connect_page.h"
+#include "ui/views/connect/body_map.h"
+#include "ui/views/connect/connect_page.h"
 #include "ui/views/page.h"
-#include "ui/views/start_page.h"
+#include "ui/views/session/start_page.h"
 #include "ui/widgets/scroll_area.h"
 #include "ui/widgets/step_bar.h"
 

@@ -2,7 +2,7 @@
 // Pictures of Record: without a suit, ready, counting down, recording, and with faults.
 #include "core/session/shot_list.h"
 #include "tests/ui/main_window/live_pictures.h"
-#include "ui/views/record_page.h"
+#include "ui/views/record/record_page.h"
 
 namespace noctule::ui {
 namespace {

@@ -9,9 +9,9 @@
 
 #include "tests/core/session/session_folder.h"
 #include "tests/ui/main_window/studio_fixture.h"
-#include "ui/views/recent_sessions.h"
-#include "ui/views/session_list.h"
-#include "ui/views/start_page.h"
+#include "ui/views/session/recent_sessions.h"
+#include "ui/views/session/session_list.h"
+#include "ui/views/session/start_page.h"
 #include "ui/views/take_list.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/problem_card.h"

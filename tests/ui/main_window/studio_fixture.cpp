@@ -9,8 +9,8 @@
 #include "ui/language/language.h"
 #include "ui/style/resources.h"
 #include "ui/style/theme.h"
-#include "ui/views/big_button.h"
-#include "ui/views/start_page.h"
+#include "ui/views/session/big_button.h"
+#include "ui/views/session/start_page.h"
 
 namespace noctule::ui::test {
 

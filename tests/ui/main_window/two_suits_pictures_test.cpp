@@ -3,7 +3,7 @@
 #include <signal.h>
 
 #include "tests/ui/main_window/live_pictures.h"
-#include "ui/views/record_page.h"
+#include "ui/views/record/record_page.h"
 
 namespace noctule::ui {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any mesh as the body of the view: chosen, mapped by hand, kept with the session, undone.
-#include "ui/views/body_dialog.h"
+#include "ui/views/performer/body_dialog.h"
 
 #include <QComboBox>
 #include <QScrollBar>
@@ -9,8 +9,8 @@
 #include "core/job/atomic_file.h"
 #include "tests/ui/support/mouse.h"
 #include "tests/ui/views/reviewed_session.h"
-#include "ui/views/landmark_editor.h"
-#include "ui/views/landmark_picture.h"
+#include "ui/views/performer/landmark_editor.h"
+#include "ui/views/performer/landmark_picture.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/scroll_area.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/views/body_map.h"
+#include "ui/views/connect/body_map.h"
 
 #include <gtest/gtest.h>
 

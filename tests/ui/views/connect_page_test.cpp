@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Connect with the virtual suit's program, which streams the tiny take (two boards, two sources), and with
 // its faults.
-#include "ui/views/connect_page.h"
+#include "ui/views/connect/connect_page.h"
 
 #include <gtest/gtest.h>
 
@@ -20,15 +20,15 @@
 #include "tests/ui/support/wait.h"
 #include "ui/models/part_names.h"
 #include "ui/style/theme.h"
-#include "ui/views/assign_panel.h"
-#include "ui/views/board_card.h"
-#include "ui/views/body_map.h"
-#include "ui/views/device_card.h"
-#include "ui/views/devices_panel.h"
-#include "ui/views/live_pairs.h"
-#include "ui/views/map_marker.h"
+#include "ui/views/connect/assign_panel.h"
+#include "ui/views/connect/board_card.h"
+#include "ui/views/connect/body_map.h"
+#include "ui/views/connect/device_card.h"
+#include "ui/views/connect/devices_panel.h"
+#include "ui/views/connect/live_pairs.h"
+#include "ui/views/connect/map_marker.h"
+#include "ui/views/connect/readiness_panel.h"
 #include "ui/views/number_rows.h"
-#include "ui/views/readiness_panel.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/name_field.h"
 #include "ui/widgets/problem_card.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/views/export_page.h"
+#include "ui/views/export/export_page.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -11,9 +11,9 @@
 
 #include "core/job/atomic_file.h"
 #include "tests/ui/views/reviewed_session.h"
-#include "ui/views/export_form.h"
-#include "ui/views/export_results_panel.h"
-#include "ui/views/export_take_list.h"
+#include "ui/views/export/export_form.h"
+#include "ui/views/export/export_results_panel.h"
+#include "ui/views/export/export_take_list.h"
 #include "ui/widgets/button.h"
 
 namespace noctule::ui {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Landmarks set by hand: what the mouse drags, the keys push and the boxes say is the same, in metres.
-#include "ui/views/landmark_editor.h"
+#include "ui/views/performer/landmark_editor.h"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 #include "core/mesh/rigged_mesh.h"
 #include "tests/ui/support/mouse.h"
 #include "ui/style/theme.h"
-#include "ui/views/landmark_picture.h"
 #include "ui/views/number_box.h"
+#include "ui/views/performer/landmark_picture.h"
 #include "ui/widgets/tool_button.h"
 
 namespace noctule::ui {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The performer page: measures drive the body, boards are moved, mirrored and put back, and all of it is
 // undone.
-#include "ui/views/performer_page.h"
+#include "ui/views/performer/performer_page.h"
 
 #include <gtest/gtest.h>
 
@@ -20,10 +20,10 @@
 #include "tests/support/files.h"
 #include "ui/scene/scene_view.h"
 #include "ui/style/theme.h"
-#include "ui/views/length_field.h"
-#include "ui/views/performer_editor.h"
-#include "ui/views/performer_measures_panel.h"
-#include "ui/views/performer_placement_panel.h"
+#include "ui/views/performer/length_field.h"
+#include "ui/views/performer/performer_editor.h"
+#include "ui/views/performer/performer_measures_panel.h"
+#include "ui/views/performer/performer_placement_panel.h"
 #include "ui/widgets/button.h"
 
 namespace noctule::ui {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The Record page against a box that plays the tiny take over TCP: two boards, two sources.
-#include "ui/views/record_page.h"
+#include "ui/views/record/record_page.h"
 
 #include <gtest/gtest.h>
 
@@ -21,17 +21,17 @@
 #include "ui/plots/level_meters.h"
 #include "ui/plots/pairs_heard.h"
 #include "ui/style/theme.h"
-#include "ui/views/levels_panel.h"
-#include "ui/views/mark_list.h"
-#include "ui/views/no_suit.h"
-#include "ui/views/record_bar.h"
-#include "ui/views/record_center.h"
-#include "ui/views/record_problems.h"
-#include "ui/views/record_readiness.h"
-#include "ui/views/record_sidebar.h"
-#include "ui/views/shot_list.h"
-#include "ui/views/shot_list_dialog.h"
-#include "ui/views/take_clock.h"
+#include "ui/views/record/levels_panel.h"
+#include "ui/views/record/mark_list.h"
+#include "ui/views/record/no_suit.h"
+#include "ui/views/record/record_bar.h"
+#include "ui/views/record/record_center.h"
+#include "ui/views/record/record_problems.h"
+#include "ui/views/record/record_readiness.h"
+#include "ui/views/record/record_sidebar.h"
+#include "ui/views/record/shot_list.h"
+#include "ui/views/record/shot_list_dialog.h"
+#include "ui/views/record/take_clock.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/problem_card.h"
 #include "ui/widgets/record_button.h"

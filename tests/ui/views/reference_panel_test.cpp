@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Another system's recording comes into the take through the screen.
-#include "ui/views/reference_panel.h"
+#include "ui/views/review/reference_panel.h"
 
 #include <QDoubleSpinBox>
 #include <QDropEvent>
@@ -9,8 +9,8 @@
 
 #include "core/processing/export_take.h"
 #include "tests/ui/views/reviewed_session.h"
-#include "ui/views/attach_dialog.h"
-#include "ui/views/choice_row.h"
+#include "ui/views/review/attach_dialog.h"
+#include "ui/views/review/choice_row.h"
 #include "ui/widgets/button.h"
 
 namespace noctule::ui {

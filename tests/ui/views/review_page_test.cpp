@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/views/review_page.h"
+#include "ui/views/review/review_page.h"
 
 #include <QClipboard>
 #include <QHBoxLayout>
@@ -9,20 +9,20 @@
 
 #include "tests/ui/views/reviewed_session.h"
 #include "ui/models/part_names.h"
-#include "ui/views/choice_row.h"
-#include "ui/views/joint_table.h"
-#include "ui/views/notes_panel.h"
-#include "ui/views/report_panel.h"
-#include "ui/views/report_view.h"
-#include "ui/views/reprocess_dialog.h"
-#include "ui/views/review_center.h"
-#include "ui/views/review_sidebar.h"
+#include "ui/views/report/joint_table.h"
+#include "ui/views/report/report_panel.h"
+#include "ui/views/report/report_view.h"
+#include "ui/views/review/choice_row.h"
+#include "ui/views/review/notes_panel.h"
+#include "ui/views/review/reprocess_dialog.h"
+#include "ui/views/review/review_center.h"
+#include "ui/views/review/review_sidebar.h"
+#include "ui/views/review/run_list.h"
+#include "ui/views/review/run_row.h"
+#include "ui/views/review/scene_area.h"
+#include "ui/views/review/take_notes.h"
 #include "ui/views/review_words.h"
-#include "ui/views/run_list.h"
-#include "ui/views/run_row.h"
-#include "ui/views/scene_area.h"
 #include "ui/views/take_list.h"
-#include "ui/views/take_notes.h"
 #include "ui/widgets/button.h"
 
 namespace noctule::ui {

@@ -9,7 +9,7 @@
 #include <QTest>
 #include <array>
 
-#include "core/mesh/glb_reader.h"
+#include "core/mesh/import/glb_reader.h"
 #include "core/suit/default_suit.h"
 #include "ui/style/theme.h"
 #include "ui/wizards/rig_geometry.h"

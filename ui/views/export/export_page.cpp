@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/views/export/export_page.h"
+
+#include <QApplication>
+#include <QDate>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QInputDialog>
+#include <QKeyEvent>
+#include <QStorageInfo>
+#include <iterator>
+
+#include "core/job/atomic_file.h"
+#include "ui/language/core_words.h"
+#include "ui/style/theme.h"
+#include "ui/style/words.h"
+#include "ui/views/export/export_form.h"
+#include "ui/views/export/export_preset_list.h"
+#include "ui/views/export/export_results_panel.h"
+#include "ui/views/job_progress.h"
+#include "ui/views/open_take.h"
+#include "ui/views/scaled_layout.h"
+#include "ui/views/show_folder.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/divider.h"
+#include "ui/widgets/label.h"
+#include "ui/widgets/scroll_area.h"
+
+namespace noctule::ui {
+
+namespace {
+constexpr int kForm = 372, kBothSides = 780, kTakes = 640;
+constexpr int kMostNames = 3;
+}  // namespace
+
+ExportPage::ExportPage(Studio& studio, QWidget* parent)
+    : Page(parent),
+      studio_(studio),
+      presets_(studio.settings()),
+      preset_list_(new ExportPresetList(presets_, this)),
+      form_(new ExportForm(studio)),
+      results_panel_(new ExportResultsPanel),
+      progress_(new JobProgress),
+      state_(new Label({}, TextRole::kBody, Ink::kLabel)),
+      again_(makeButton(ButtonKind::kOutlined, tr("Write again"))),
+      folder_(makeButton(ButtonKind::kPrimary, tr("Open folder"), "folder")),
+      write_(makeButton(ButtonKind::kPrimary, {}, "export", QKeySequence(Qt::Key_Return))) {
+    preset_list_->hide();
+    setDockTitles(tr("Made for"), {});
+    setFocusPolicy(Qt::ClickFocus);
+    auto* column = makeColumn(this);
+    auto* sides = new QWidget;
+    sides_ = makeRow(sides);
+    QHBoxLayout* row = sides_;
+    auto* scroll = new ScrollArea(form_);
+    keepMinimumWidth(*scroll, kForm);
+    scroll->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
+    row->addWidget(scroll);
+    row->addWidget(between_ = new Divider(Qt::Vertical));
+    auto* right = new QWidget;
+    row->addWidget(right, 1);
+    auto* right_column = makeColumn(right);
+    auto* takes = addRow(right_column, 0);
+    takes->addWidget(form_->takesPart(), 1000);
+    takes->addStretch(1);
+    keepMaximumWidth(*form_->takesPart(), kTakes);
+    right_column->addWidget(new Divider);
+    right_column->addWidget(results_panel_, 1);
+    column->addWidget(sides, 1);
+    column->addWidget(new Divider);
+    column->addWidget(makeFoot());
+
+    connect(preset_list_, &ExportPresetList::chosen, this, [this](const QString& key) {
+        presets_.choose(key);
+        form_->setSettings(presets_.all()[static_cast<size_t>(presets_.indexOf(key))].settings);
+        refresh();
+    });
+    connect(preset_list_, &ExportPresetList::saveWanted, this, &ExportPage::saveOwnPreset);
+    connect(preset_list_, &ExportPresetList::removeWanted, this, &ExportPage::removeOwnPreset);
+    connect(form_, &ExportForm::changed, this, [this] {
+        presets_.remember(preset_list_->current(), form_->settings());
+        refresh();
+    });
+    connect(form_, &ExportForm::tryWanted, this, &ExportPage::tryOneFrame);
+    connect(results_panel_, &ExportResultsPanel::saveWanted, this, &ExportPage::saveCheck);
+    connect(&studio.take(), &TakeDocument::runsChanged, this, &ExportPage::refresh);
+    connect(&studio.shownBody(), &ShownBody::changed, this, &ExportPage::refresh);
+    connect(&studio.session(), &SessionModel::opened, this, [this] {
+        results_.reset();
+        results_panel_->clear();
+        refresh();
+    });
+    preset_list_->choose(presets_.lastChosen());
+    form_->setSettings(presets_.all()[static_cast<size_t>(presets_.indexOf(presets_.lastChosen()))].settings);
+    refresh();
+}
+
+QWidget* ExportPage::makeFoot() {
+    auto* foot = new QWidget;
+    auto* row = makeRow(foot, {20, 10, 16, 10}, 8);
+    row->addWidget(state_->wrapped(), 1);
+    row->addWidget(progress_, 1);
+    again_->setTall(true);
+    for (Button* button : {again_, folder_, write_})
+        row->addWidget(button);
+    connect(again_, &QPushButton::clicked, this, &ExportPage::write);
+    connect(write_, &QPushButton::clicked, this, &ExportPage::write);
+    connect(folder_, &QPushButton::clicked, this, &ExportPage::openFolder);
+    connect(progress_, &JobProgress::ended, this, &ExportPage::refresh);
+    return foot;
+}
+
+QWidget* ExportPage::leftDock() {
+    return preset_list_;
+}
+
+void ExportPage::enter() {
+    if (form_->takes().isEmpty() && openTakeIndex(studio_) >= 0)
+        form_->setTakes({openTakeName(studio_)});
+    refresh();
+    write_->setFocus();
+}
+
+void ExportPage::choosePreset(const QString& key) {
+    preset_list_->choose(key);
+}
+
+Result<std::vector<ExportJob>> ExportPage::plan() const {
+    if (!studio_.session().isOpen())
+        return Error{ErrorKind::kUsage, tr("No session is open").toStdString(),
+                     tr("Open one first").toStdString()};
+    const QStringList chosen = form_->takes();
+    if (chosen.isEmpty())
+        return Error{ErrorKind::kUsage, tr("No take is chosen").toStdString(),
+                     tr("Tick at least one").toStdString()};
+    const ExportSettings& settings = form_->settings();
+    if (settings.range == ExportRange::kOwn && settings.own_to_s <= settings.own_from_s)
+        return Error{ErrorKind::kUsage, tr("The range ends before it begins").toStdString(),
+                     tr("Choose a last second after the first").toStdString()};
+    std::vector<ExportJob> jobs;
+    for (const ExportFormat format : formatsOf(settings)) {
+        ExportSettings of_format = settings;
+        of_format.format = format;
+        if (form_->sendsAllResults() && !settings.name_pattern.contains("{run}"))
+            of_format.name_pattern += "_{run}";
+        auto more = planOf(of_format, chosen);
+        if (!more)
+            return more.error();
+        std::move(more->begin(), more->end(), std::back_inserter(jobs));
+    }
+    return jobs;
+}
+
+/// In one format. Takes of one file stand together.
+Result<std::vector<ExportJob>> ExportPage::planOf(const ExportSettings& settings,
+                                                  const QStringList& takes) const {
+    const Session& session = studio_.session().session();
+    const ExportSurroundings surroundings{session, studio_.look(),
+                                          QDate::currentDate().toString(Qt::ISODate)};
+    std::set<std::string> taken;
+    std::vector<ExportJob> jobs;
+    for (const SessionTake& take : session.takes) {
+        const QString name = QString::fromStdString(take.name);
+        if (!takes.contains(name))
+            continue;
+        for (const QString& result : form_->resultsOf(name)) {
+            auto job = exportJob(surroundings, take, result, settings, taken);
+            if (!job)
+                return job.error();
+            jobs.push_back(std::move(*job));
+        }
+    }
+    return jobs;
+}
+
+ExportPage::Asked ExportPage::asked() const {
+    Asked asked{form_->settings(), form_->takes(), {}};
+    if (asked.settings.range != ExportRange::kOwn)
+        asked.settings.own_from_s = asked.settings.own_to_s = 0;  // nobody asks for them
+    for (const QString& take : asked.takes)
+        asked.results += form_->resultsOf(take);
+    return asked;
+}
+
+bool ExportPage::isWritten() const {
+    return results_ && results_->written() > 0 && written_ == asked();
+}
+
+void ExportPage::refresh() {
+    const auto jobs = plan();
+    const QString problem = jobs ? QString() : coreWords(jobs.error());
+    const bool busy = progress_->isRunning();
+    const int files = jobs ? fileCount(*jobs, performers_) : 0;
+    write_->setText(tr("Write %n files", nullptr, files));
+    const QString why_not = busy ? tr("Files are being written.") : problem;
+    for (Button* button : {write_, again_, form_->try_one_frame})
+        button->setDisabledBecause(why_not);
+    if (jobs) {
+        QStringList names;
+        for (int i = 0; i < std::min({kMostNames, files, static_cast<int>(jobs->size())}); ++i)
+            names += QFileInfo(QString::fromStdString((*jobs)[static_cast<size_t>(i)].path())).fileName();
+        const int more = files - names.size();
+        if (more > 0)
+            names += tr("and %n more", nullptr, more);
+        form_->setPreview(names.join('\n'), false);
+    } else {
+        form_->setPreview(problem, true);
+    }
+    state_->setVisible(!progress_->isVisibleTo(this));
+    const QString folder =
+        studio_.session().isOpen() ? exportFolder(studio_.session().session(), form_->settings()) : QString();
+    const QStorageInfo disk(QFileInfo::exists(folder) ? folder : QFileInfo(folder).path());
+    const QString room = disk.isValid() ? tr("%1 free.").arg(bytesText(disk.bytesAvailable())) : QString();
+    state_->setText(isWritten() ? tr("Took %1. %2").arg(secondsText(results_->seconds), room)
+                                : tr("Nothing is overwritten: a second export gets _2. %1").arg(room));
+    offer(isWritten());
+}
+
+void ExportPage::offer(bool folder_first) {
+    folder_->setVisible(folder_first);
+    again_->setVisible(folder_first);
+    write_->setVisible(!folder_first);
+}
+
+void ExportPage::write() {
+    const auto jobs = plan();
+    if (!jobs || progress_->isRunning())
+        return;
+    start(
+        tr("Writing %n files", nullptr, fileCount(*jobs, performers_)),
+        [jobs = *jobs](const JobContext& job) { return runExport(jobs, job); }, false);
+}
+
+void ExportPage::tryOneFrame() {
+    const auto jobs = plan();
+    if (!jobs || progress_->isRunning())
+        return;
+    const ExportRequest& first = jobs->front().request;
+    const bool is_open = studio_.take().path().toStdString() == first.take_path;
+    const double time_s = is_open ? studio_.time().time() : first.from_s.value_or(0);
+    start(
+        tr("Writing one frame of %1").arg(jobs->front().take),
+        [job = jobs->front(), time_s](const JobContext& context) {
+            return ui::tryOneFrame(job, time_s, context);
+        },
+        true);
+}
+
+void ExportPage::start(const QString& title, std::function<Result<ExportResults>(const JobContext&)> work,
+                       bool is_trial) {
+    Job* job = studio_.jobs().start<ExportResults>(
+        title, std::move(work), [self = QPointer(this), is_trial](Result<ExportResults> results) -> QString {
+            if (self)
+                self->present(results, is_trial);
+            return results && !is_trial ? tr("%n files written and checked.", nullptr, results->written())
+                                        : QString();
+        });
+    started_ = asked();
+    progress_->follow(job);
+    if (isAncestorOf(QApplication::focusWidget()))
+        setFocus();  // a button that is disabled would give the keyboard to another part of the window
+    refresh();
+}
+
+void ExportPage::present(const Result<ExportResults>& results, bool is_trial) {
+    results_.reset();
+    if (results) {
+        results_panel_->setResults(*results, is_trial);
+        if (!is_trial) {
+            results_ = *results;
+            written_ = started_;
+        }
+    }  // else the line beside the buttons says why
+    // The job still counts as running here; its end refreshes the buttons.
+    emit finished();
+}
+
+void ExportPage::openFolder() {
+    if (studio_.session().isOpen())
+        showFolder(studio_, exportFolder(studio_.session().session(), form_->settings()));
+}
+
+void ExportPage::saveCheck() {
+    if (!results_)
+        return;
+    const QString folder = exportFolder(studio_.session().session(), form_->settings());
+    const QString path = QFileDialog::getSaveFileName(this, tr("Save the check"),
+                                                      folder + "/" + tr("check.txt"), tr("Text (*.txt)"));
+    if (path.isEmpty())
+        return;
+    const Status saved = writeFileAtomically(path.toStdString(), checkAsText(*results_).toStdString(), true);
+    if (saved)
+        emit studio_.said(tr("%1 is written.").arg(QDir::toNativeSeparators(path)));
+    else
+        emit studio_.failed(coreWords(saved.error().message), coreWords(saved.error().remedy));
+}
+
+void ExportPage::saveOwnPreset() {
+    bool accepted = false;
+    const QString name = QInputDialog::getText(this, tr("Save as own preset"), tr("Name"), QLineEdit::Normal,
+                                               settingsInWords(form_->settings()), &accepted)
+                             .trimmed();
+    if (!accepted || name.isEmpty())
+        return;
+    const QString key = presets_.addOwn(name, form_->settings());
+    preset_list_->refresh();
+    preset_list_->choose(key);
+}
+
+void ExportPage::removeOwnPreset(const QString& key) {
+    presets_.removeOwn(key);
+    preset_list_->refresh();
+    preset_list_->choose(presets_.all().front().key);
+}
+
+/// Without room for both sides the takes and the written files stand below the form.
+void ExportPage::resizeEvent(QResizeEvent* event) {
+    const bool beside = width() >= Theme::get().px(kBothSides);
+    sides_->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    between_->setVisible(beside);
+    Page::resizeEvent(event);
+}
+
+void ExportPage::keyPressEvent(QKeyEvent* event) {
+    const bool is_enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (is_enter && write_->isVisible() && write_->isEnabled())
+        write();
+    else if (event->key() == Qt::Key_Escape)
+        studio_.goTo(Step::kReview);
+    else
+        Page::keyPressEvent(event);
+}
+
+}  // namespace noctule::ui

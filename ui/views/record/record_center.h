@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Centre of Record: the live body with the take's clock on it, what stands in the way of a take, the record
+// bar, and below it levels and pairs.
+#pragma once
+
+#include <QWidget>
+
+#include "ui/models/studio.h"
+#include "ui/views/record/record_run.h"
+
+class QVBoxLayout;
+
+namespace noctule::ui {
+
+class LevelsPanel;
+class ProblemCard;
+class RecordBar;
+class SceneView;
+class TakeClock;
+
+class RecordCenter : public QWidget {
+    Q_OBJECT
+public:
+    RecordCenter(Studio& studio, RecordRun& run, QWidget* parent = nullptr);
+
+    SceneView& scene() { return *scene_; }
+    RecordBar& bar() { return *bar_; }
+    TakeClock& clock() { return *clock_; }
+    LevelsPanel& levels() { return *levels_; }
+    /// Null: nothing was refused.
+    ProblemCard* refusal() { return refusal_; }
+
+protected:
+    void showEvent(QShowEvent* event) override;
+
+private:
+    void wear();
+    void showFrame();
+    void showTake();
+    void showTime();
+    void showRefusal();
+    void closeRefusal();
+
+    Studio& studio_;
+    RecordRun& run_;
+    SceneView* scene_;
+    TakeClock* clock_;
+    RecordBar* bar_;
+    LevelsPanel* levels_;
+    QVBoxLayout* column_;
+    ProblemCard* refusal_ = nullptr;
+};
+
+}  // namespace noctule::ui

@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/views/record/record_run.h"
+
+#include <QApplication>
+#include <cmath>
+#include <utility>
+
+#include "core/session/shot_list.h"
+#include "core/session/take_folder.h"
+#include "ui/language/core_words.h"
+#include "ui/models/voice.h"
+#include "ui/style/words.h"
+#include "ui/views/readiness_words.h"
+
+namespace noctule::ui {
+namespace {
+
+constexpr const char *kCountdown = "record/countdown_s", *kPreRoll = "record/pre_roll_s",
+                     *kTones = "record/tones", *kReview = "record/open_review", *kBase = "record/base_name";
+constexpr int kTick_ms = 33, kUsualCountdown_s = 3;
+
+QString sentences(const RecordObstacle& obstacle) {
+    return obstacle.text.isEmpty() ? obstacle.title + QLatin1Char('.')
+                                   : obstacle.title + QStringLiteral(". ") + obstacle.text;
+}
+
+}  // namespace
+
+RecordRun::RecordRun(Studio& studio, QObject* parent)
+    : QObject(parent),
+      studio_(studio),
+      countdown_s_(studio.settings().value(kCountdown, kUsualCountdown_s).toInt()),
+      pre_roll_s_(studio.settings().value(kPreRoll, 0).toInt()),
+      tones_(studio.settings().value(kTones, true).toBool()),
+      opens_review_(studio.settings().value(kReview, true).toBool()),
+      base_(studio.settings().value(kBase, tr("take", "first part of the names of takes")).toString()) {
+    tick_.setInterval(kTick_ms);
+    tick_.setTimerType(Qt::PreciseTimer);
+    connect(&tick_, &QTimer::timeout, this, [this] {
+        count();
+        emit ticked();
+    });
+    LiveSuits& suits = studio.suits();
+    suits.forEach(this, [this](SuitInUse& worn) {
+        connect(&worn.suit, &LiveSuit::phaseChanged, this, &RecordRun::follow);
+        connect(&worn.suit, &LiveSuit::statusChanged, this, &RecordRun::follow);
+        connect(&worn.check, &SuitCheck::changed, this, &RecordRun::follow);
+        connect(&worn.suit, &LiveSuit::wearingChanged, this, &RecordRun::changed);  // with a pre-roll or not
+    });
+    connect(&suits, &LiveSuits::changed, this, &RecordRun::follow);
+    connect(&suits, &LiveSuits::recordingStarted, this, &RecordRun::onStarted);
+    connect(&suits, &LiveSuits::recordingEnded, this, &RecordRun::onEnded);
+    connect(&studio.session(), &SessionModel::opened, this, [this] {
+        shot_ = -1;
+        without_shot_ = false;
+        chooseDueShot();
+    });
+    connect(&studio.session(), &SessionModel::changed, this, &RecordRun::followSession);
+    chooseDueShot();
+    follow();
+}
+
+/// Of several suits the first that has one, with the name of who wears it.
+RecordObstacle RecordRun::obstacleNow() const {
+    LiveSuits& suits = studio_.suits();
+    if (!suits.areSeveral())
+        return obstacleOf(suits.current());
+    RecordObstacle mild;
+    for (const SuitInUse* worn : suits.connected()) {
+        RecordObstacle obstacle = obstacleOf(*worn);
+        if (!obstacle)
+            continue;
+        obstacle.title =
+            tr("%1: %2", "who wears a suit, what hinders it").arg(suits.nameOf(*worn), obstacle.title);
+        if (!obstacle.may_record_anyway)
+            return obstacle;
+        if (!mild)
+            mild = obstacle;
+    }
+    if (const auto apart = suits.whyNotTogether())
+        return {coreWords(apart->message), coreWords(apart->remedy) + '.'};
+    return mild;
+}
+
+RecordObstacle RecordRun::obstacleOf(const SuitInUse& worn) {
+    const LiveSuit& suit = worn.suit;
+    const auto status = suit.status();
+    if (suit.isLent())
+        return {};
+    if (suit.phase() == LiveSuit::Phase::kRefused && status->trouble)
+        return {coreWords(status->trouble->message), coreWords(status->trouble->remedy)};
+    if (suit.phase() == LiveSuit::Phase::kConnecting)
+        return {tr("The driver box has not answered yet"), tr("It usually takes a second or two.")};
+    if (status->link == LinkState::kLost)
+        return {tr("The link to the driver box is broken"),
+                tr("Recording can begin as soon as it is back; the studio tries by itself.")};
+    for (const ReadinessProblem& problem : worn.check.readiness().problems)
+        if (problem.hinders && !problem.accepted) {
+            const HindranceWords words = wordsOf(problem, worn.check);
+            // Without sound there is no take to make; anything else costs a part of it.
+            return {words.title, words.text, problem.kind != ProblemKind::kNoSound};
+        }
+    return {};
+}
+
+RecordRun::State RecordRun::stateNow() const {
+    switch (studio_.suits().phase()) {
+        case LiveSuit::Phase::kNone:
+            return State::kNoSuit;
+        case LiveSuit::Phase::kStarting:
+        case LiveSuit::Phase::kRecording:
+            return State::kRecording;
+        case LiveSuit::Phase::kSaving:
+            return State::kSaving;
+        default:
+            break;
+    }
+    if (counting_.isValid())
+        return State::kCountdown;
+    return obstacle_ ? State::kRefused : State::kReady;
+}
+
+void RecordRun::follow() {
+    const RecordObstacle obstacle = obstacleNow();
+    const bool same = obstacle.title == obstacle_.title && obstacle.text == obstacle_.text &&
+                      std::exchange(suits_, suitCount()) == suitCount();
+    obstacle_ = obstacle;
+    const bool cannot = obstacle_ && !obstacle_.may_record_anyway;
+    if (cannot || studio_.suits().phase() == LiveSuit::Phase::kNone)
+        counting_.invalidate();
+    const State now = stateNow();
+    if (now == state_ && same)
+        return;
+    state_ = now;
+    if (now == State::kCountdown || now == State::kRecording)
+        tick_.start();
+    else
+        tick_.stop();
+    emit changed();
+}
+
+void RecordRun::press() {
+    switch (state_) {
+        case State::kNoSuit:
+        case State::kRefused:
+            emit refused();
+            break;
+        case State::kReady:
+            beginOrCount();
+            break;
+        case State::kCountdown:
+            endCountdown();
+            break;
+        case State::kRecording:
+            stop();
+            break;
+        case State::kSaving:
+            break;
+    }
+}
+
+void RecordRun::recordAnyway() {
+    if (state_ == State::kRefused && obstacle_.may_record_anyway)
+        beginOrCount();
+}
+
+void RecordRun::beginOrCount() {
+    told_notes_.clear();
+    if (countdown_s_ == 0)
+        return beginOwn();
+    counting_.start();
+    last_second_ = countdown_s_;
+    cue(QString::number(last_second_));
+    follow();
+}
+
+bool RecordRun::endCountdown() {
+    if (!counting_.isValid())
+        return false;
+    counting_.invalidate();
+    follow();
+    return true;
+}
+
+double RecordRun::countdownLeft() const {
+    return counting_.isValid() ? std::max(0.0, countdown_s_ - static_cast<double>(counting_.elapsed()) * 1e-3)
+                               : 0;
+}
+
+void RecordRun::count() {
+    if (!counting_.isValid())
+        return;
+    const double left_s = countdownLeft();
+    if (left_s <= 0)
+        return beginOwn();
+    const int second = static_cast<int>(std::ceil(left_s));
+    if (std::exchange(last_second_, second) != second)
+        cue(QString::number(second));
+}
+
+void RecordRun::beginOwn() {
+    if (const QString why = begin(base_); !why.isEmpty())
+        emit studio_.failed(tr("Recording did not begin"), why);
+}
+
+QString RecordRun::begin(const QString& base) {
+    counting_.invalidate();
+    LiveSuit::TakePlan plan;
+    plan.base_name = base;
+    plan.pre_roll_s = preRollSeconds();
+    if (shot_ >= 0)
+        plan.shot =
+            QString::fromStdString(studio_.session().session().shots[static_cast<size_t>(shot_)].name);
+    const QString why = studio_.suits().record(plan);
+    follow();
+    return why;
+}
+
+void RecordRun::stop() {
+    cue(tr("Stopped"));
+    studio_.suits().stopRecording();
+}
+
+void RecordRun::beginFromElsewhere(const QString& name, const QString& notes) {
+    QString why;
+    if (state_ == State::kRefused && !obstacle_.may_record_anyway)
+        why = sentences(obstacle_);
+    else
+        why = begin(name.trimmed().isEmpty()
+                        ? base_
+                        : QString::fromStdString(takeBaseName(name.trimmed().toStdString())));
+    if (why.isEmpty())
+        told_notes_ = notes.trimmed();
+    else
+        emit studio_.failed(tr("Another program asked for a recording, which did not begin"), why);
+}
+
+void RecordRun::stopFromElsewhere() {
+    if (state_ == State::kRecording)
+        stop();
+}
+
+void RecordRun::onStarted(const QString& take) {
+    running_ = take;
+    marks_.clear();
+    markers_ = 0;
+    cue(tr("Recording"));
+    emit marksChanged();
+    emit changed();
+    addNote(std::exchange(told_notes_, {}));
+}
+
+void RecordRun::onEnded(const QString& take, const QString& trouble) {
+    running_.clear();
+    if (!trouble.isEmpty()) {
+        cue(tr("The recording has ended by itself"));
+        emit studio_.failed(tr("%1 ended by itself", "name of a take").arg(take), trouble);
+    }
+    chooseDueShot();
+    emit changed();
+    SessionModel& session = studio_.session();
+    const int index = session.isOpen() ? session.session().findTake(take.toStdString()) : -1;
+    if (index < 0)
+        return;
+    session.setCurrentTake(index);
+    if (opens_review_)
+        studio_.goTo(Step::kReview);
+}
+
+void RecordRun::setCountdownSeconds(int seconds) {
+    countdown_s_ = seconds;
+    studio_.settings().setValue(kCountdown, seconds);
+    emit changed();
+}
+
+void RecordRun::setPreRollSeconds(int seconds) {
+    pre_roll_s_ = seconds;
+    studio_.settings().setValue(kPreRoll, seconds);
+    emit changed();
+}
+
+void RecordRun::setTones(bool tones) {
+    tones_ = tones;
+    studio_.settings().setValue(kTones, tones);
+    emit changed();
+}
+
+void RecordRun::setOpensReview(bool opens) {
+    opens_review_ = opens;
+    studio_.settings().setValue(kReview, opens);
+    emit changed();
+}
+
+/// The system's own bell and the voice: the picture says the same.
+void RecordRun::cue(const QString& words) const {
+    if (tones_)
+        QApplication::beep();
+    Voice::get().say(words);
+}
+
+QString RecordRun::takeName() const {
+    return running_.isEmpty() ? nextName() : running_;
+}
+
+QString RecordRun::nextName() const {
+    const SessionModel& session = studio_.session();
+    const std::string base = base_.toStdString();
+    return QString::fromStdString(session.isOpen()
+                                      ? nextTakeName(session.session(), base)
+                                      : numberedTakeName(base, [](const std::string&) { return true; }));
+}
+
+void RecordRun::setName(const QString& typed) {
+    if (!typed.trimmed().isEmpty()) {
+        base_ = QString::fromStdString(takeBaseName(typed.trimmed().toStdString()));
+        studio_.settings().setValue(kBase, base_);
+    }
+    emit changed();
+}
+
+void RecordRun::setShot(int shot) {
+    without_shot_ = shot < 0;
+    applyShot(shot);
+}
+
+void RecordRun::applyShot(int shot) {
+    const SessionModel& session = studio_.session();
+    const int count = session.isOpen() ? static_cast<int>(session.session().shots.size()) : 0;
+    shot_ = shot >= 0 && shot < count ? shot : -1;
+    if (shot_ >= 0)
+        base_ = QString::fromStdString(takeBaseOf(session.session().shots[static_cast<size_t>(shot_)]));
+    emit changed();
+}
+
+void RecordRun::chooseDueShot() {
+    const SessionModel& session = studio_.session();
+    applyShot(session.isOpen() && !without_shot_ ? dueShot(session.session(), shot_) : -1);
+}
+
+/// The list may have become another one under the shot that was chosen.
+void RecordRun::followSession() {
+    const SessionModel& session = studio_.session();
+    const int count = session.isOpen() ? static_cast<int>(session.session().shots.size()) : 0;
+    if (state_ != State::kRecording && state_ != State::kSaving && (shot_ >= count || shot_ < 0))
+        chooseDueShot();
+    emit changed();
+}
+
+void RecordRun::addMarker() {
+    if (state_ != State::kRecording || running_.isEmpty())
+        return;
+    const QString label = tr("Marker %1").arg(++markers_);
+    studio_.suits().addMarker(label);
+    marks_.push_back({TakeMark::Kind::kMarker, studio_.suits().recordedSeconds(), label});
+    emit marksChanged();
+}
+
+void RecordRun::addNote(const QString& text) {
+    if (state_ != State::kRecording || running_.isEmpty() || text.trimmed().isEmpty())
+        return;
+    const double t_s = studio_.suits().recordedSeconds();
+    studio_.suits().addNote(QStringLiteral("%1 %2").arg(timeText(t_s), text.trimmed()));
+    marks_.push_back({TakeMark::Kind::kNote, t_s, text.trimmed()});
+    emit marksChanged();
+}
+
+}  // namespace noctule::ui

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/views/report/report_view.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QKeyEvent>
+#include <QListWidget>
+#include <QMenu>
+#include <cmath>
+
+#include "core/job/atomic_file.h"
+#include "ui/language/core_words.h"
+#include "ui/style/words.h"
+#include "ui/views/open_take.h"
+#include "ui/views/scaled_layout.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/divider.h"
+#include "ui/widgets/elided_label.h"
+#include "ui/widgets/search_field.h"
+#include "ui/widgets/tool_button.h"
+
+namespace noctule::ui {
+
+ReportView::ReportView(Studio& studio, FullReport& report, QWidget* parent)
+    : QWidget(parent),
+      studio_(studio),
+      report_(report),
+      title_(new ElidedLabel({}, TextRole::kSection, Ink::kValue, true)),
+      zoom_label_(new Label({}, TextRole::kSecondary, Ink::kLabel)),
+      search_(new SearchField(tr("Find in the report"))),
+      contents_(new QListWidget),
+      page_(new ReportBrowser),
+      save_(makeButton(ButtonKind::kOutlined, tr("Save"), "disk")) {
+    auto* column = makeColumn(this);
+    column->addWidget(makeHead());
+    column->addWidget(new Divider);
+    auto* body = new QWidget;
+    auto* row = makeRow(body);
+    keepSize(*contents_, 176, 0);
+    contents_->setFrameShape(QFrame::NoFrame);
+    contents_->setAccessibleName(tr("Parts of the report"));
+    row->addWidget(contents_);
+    row->addWidget(new Divider(Qt::Vertical));
+    row->addWidget(page_, 1);
+    column->addWidget(body, 1);
+    connect(contents_, &QListWidget::currentItemChanged, this, [this](QListWidgetItem* item) {
+        if (item)
+            page_->scrollToAnchor(item->data(Qt::UserRole).toString());
+    });
+    connect(&report, &FullReport::changed, this, &ReportView::refresh);
+    connect(&studio.take(), &TakeDocument::opened, this, &ReportView::refresh);
+    connect(page_, &ReportBrowser::zoomChanged, this, &ReportView::refresh);
+    connect(search_, &SearchField::searched, this, &ReportView::find);
+    connect(search_, &QLineEdit::returnPressed, this, [this] { find(search_->text()); });
+    refresh();
+}
+
+QWidget* ReportView::makeHead() {
+    auto* head = new QWidget;
+    auto* row = makeRow(head, {12, 8, 16, 8}, 8);
+    auto* back = makeButton(ButtonKind::kText, tr("Back to the take"), "prev", QKeySequence(Qt::Key_Escape));
+    auto* smaller = new ToolButton("minus", tr("Smaller"), QKeySequence::ZoomOut);
+    auto* larger = new ToolButton("new", tr("Larger"), QKeySequence::ZoomIn);
+    keepMinimumWidth(*search_, 112);
+    keepMaximumWidth(*search_, 200);
+    title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    auto* formats = new QMenu(save_);
+    formats->addAction(tr("As HTML"), this, &ReportView::saveHtml);
+    formats->addAction(tr("As PDF"), this, &ReportView::savePdf);
+    connect(save_, &QPushButton::clicked, this,
+            [this, formats] { formats->exec(save_->mapToGlobal(QPoint(0, save_->height()))); });
+    row->addWidget(back);
+    row->addWidget(title_, 3);
+    row->addWidget(search_, 1);
+    row->addWidget(smaller);
+    row->addWidget(zoom_label_);
+    row->addWidget(larger);
+    row->addWidget(save_);
+    connect(back, &QPushButton::clicked, this, &ReportView::closed);
+    connect(smaller, &QToolButton::clicked, this, [this] { page_->setZoom(page_->zoom() / 1.1); });
+    connect(larger, &QToolButton::clicked, this, [this] { page_->setZoom(page_->zoom() * 1.1); });
+    return head;
+}
+
+void ReportView::enter() {
+    report_.need();
+    refresh();
+    page_->setFocus();
+}
+
+void ReportView::refresh() {
+    zoom_label_->setText(percentText(page_->zoom()));
+    title_->setText(tr("Report of %1").arg(openTakeName(studio_)));
+    const auto made = report_.data();
+    const QString waiting = made ? QString() : tr("The report is being made.");
+    save_->setDisabledBecause(waiting);
+    if (!isVisible() || shown_ == made)
+        return;
+    shown_ = made;
+    const QSignalBlocker quiet(contents_);
+    contents_->clear();
+    if (!made) {
+        page_->setParts({});
+        page_->setPlainText(waiting);
+        return;
+    }
+    std::vector<ReportPart> parts = reportParts(*made);
+    for (ReportPart& part : parts) {
+        part.html = coreMarkup(part.html);
+        auto* item = new QListWidgetItem(coreWords(part.title), contents_);
+        item->setData(Qt::UserRole, QString::fromStdString(part.id));
+    }
+    contents_->setCurrentRow(0);
+    page_->setDocumentTitle(title_->text());
+    page_->setParts(std::move(parts));
+}
+
+void ReportView::saveHtml() {
+    const QString path = QFileDialog::getSaveFileName(
+        this, tr("Save the report"), openTakeName(studio_) + ".html", tr("Web pages (*.html)"));
+    if (path.isEmpty() || !report_.data())
+        return;
+    studio_.jobs().start<Done>(
+        tr("Saving %1").arg(QFileInfo(path).fileName()),
+        [data = report_.data(), path](const JobContext&) -> Status {
+            return writeFileAtomically(path.toStdString(), coreMarkup(htmlReport(*data)), true);
+        },
+        [path](Status saved) { return saved ? tr("%1 is written.").arg(path) : QString(); });
+}
+
+void ReportView::savePdf() {
+    const QString path = QFileDialog::getSaveFileName(
+        this, tr("Save the report"), openTakeName(studio_) + ".pdf", tr("PDF documents (*.pdf)"));
+    if (path.isEmpty())
+        return;
+    if (page_->savePdf(path))
+        emit studio_.said(tr("%1 is written.").arg(path));
+    else
+        emit studio_.failed(tr("%1 could not be written.").arg(path),
+                            tr("Choose another folder or free some space."));
+}
+
+void ReportView::find(const QString& text) {
+    if (text.isEmpty() || page_->find(text))
+        return;
+    page_->moveCursor(QTextCursor::Start);  // once around
+    page_->find(text);
+}
+
+void ReportView::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Escape)
+        emit closed();
+    else if (event->matches(QKeySequence::ZoomIn))
+        page_->setZoom(page_->zoom() * 1.1);
+    else if (event->matches(QKeySequence::ZoomOut))
+        page_->setZoom(page_->zoom() / 1.1);
+    else if (event->matches(QKeySequence::Find))
+        search_->setFocus();
+    else
+        QWidget::keyPressEvent(event);
+}
+
+}  // namespace noctule::ui

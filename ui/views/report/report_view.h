@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// The full report of the open take inside the window: parts at the left, text, tables and drawings to scroll,
+// zoom, search and copy, and saving as HTML or PDF.
+#pragma once
+
+#include <QTextBrowser>
+#include <QTimer>
+#include <memory>
+
+#include "ui/models/studio.h"
+#include "ui/views/report/full_report.h"
+#include "ui/views/report/report_html.h"
+
+class QListWidget;
+
+namespace noctule::ui {
+
+class Button;
+class ElidedLabel;
+class Label;
+class SearchField;
+
+/// Draws the figures when the page asks for them.
+class ReportBrowser : public QTextBrowser {
+    Q_OBJECT
+public:
+    explicit ReportBrowser(QWidget* parent = nullptr);
+
+    void setParts(std::vector<ReportPart> parts);
+    double zoom() const { return zoom_; }
+    void setZoom(double zoom);  ///< 0.5 .. 3
+    size_t figureCount() const { return report_.figures.size(); }
+    /// Lays the report out for paper and writes it; false: the file could not be written.
+    bool savePdf(const QString& path);
+
+signals:
+    void zoomChanged();
+
+protected:
+    QVariant loadResource(int type, const QUrl& name) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+
+private:
+    int margin() const;
+    int pageWidth() const;
+    void layOut();
+
+    std::vector<ReportPart> parts_;
+    ReportDocument report_;
+    double zoom_ = 1;
+    int laid_out_width_ = 0;
+    QTimer resized_;
+};
+
+class ReportView : public QWidget {
+    Q_OBJECT
+public:
+    ReportView(Studio& studio, FullReport& report, QWidget* parent = nullptr);
+
+    ReportBrowser& page() { return *page_; }
+    void enter();  ///< makes the report when it is not there yet
+
+signals:
+    void closed();
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    QWidget* makeHead();
+    void refresh();
+    void saveHtml();
+    void savePdf();
+    void find(const QString& text);
+
+    Studio& studio_;
+    FullReport& report_;
+    ElidedLabel* title_;
+    Label* zoom_label_;
+    SearchField* search_;
+    QListWidget* contents_;
+    ReportBrowser* page_;
+    Button* save_;
+    std::shared_ptr<const ReportData> shown_;
+};
+
+}  // namespace noctule::ui

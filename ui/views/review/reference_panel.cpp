@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/views/review/reference_panel.h"
+
+#include <QDropEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMimeData>
+#include <QUrl>
+#include <cmath>
+
+#include "ui/language/core_words.h"
+#include "ui/style/words.h"
+#include "ui/views/job_progress.h"
+#include "ui/views/open_take.h"
+#include "ui/views/review/performer_switch.h"
+#include "ui/views/scaled_layout.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/elided_label.h"
+#include "ui/widgets/tool_button.h"
+
+namespace noctule::ui {
+namespace {
+
+struct Attached {
+    AttachSummary summary;
+    std::vector<std::string> warnings;
+};
+
+QString motionFile(const QMimeData& dragged) {
+    for (const QUrl& url : dragged.urls())
+        for (const char* extension : {".bvh", ".csv"})
+            if (url.toLocalFile().endsWith(extension, Qt::CaseInsensitive))
+                return url.toLocalFile();
+    return {};
+}
+
+}  // namespace
+
+ReferencePanel::ReferencePanel(Studio& studio, QWidget* parent)
+    : QWidget(parent),
+      studio_(studio),
+      name_(new ElidedLabel),
+      detail_(new Label({}, TextRole::kSecondary, Ink::kHint)),
+      present_(new QWidget),
+      absent_(new Label({}, TextRole::kSecondary, Ink::kHint)),
+      attach_(makeButton(ButtonKind::kText, tr("Attach"), "link")),
+      compare_(new ToolButton("ghost", tr("Compare with the reference"))),
+      progress_(new JobProgress) {
+    setAcceptDrops(true);
+    auto* column = makeColumn(this, {12, 0, 12, 0}, 4);
+    auto* rows = makeGrid(present_, {}, 4);
+    rows->setColumnStretch(0, 1);
+    rows->addWidget(name_, 0, 0);
+    rows->addWidget(compare_, 0, 1);
+    rows->addWidget(detail_->wrapped(), 1, 0, 1, 2);
+    name_->setElideMode(Qt::ElideMiddle);
+    column->addWidget(present_);
+    column->addWidget(absent_->wrapped());
+    column->addWidget(progress_);
+    auto* buttons = addRow(column, 4);
+    buttons->addWidget(attach_);
+    buttons->addStretch();
+    absent_->setText(tr("A BVH or CSV of another system, to compare with."));
+    compare_->setCheckable(true);
+    connect(attach_, &QPushButton::clicked, this, &ReferencePanel::chooseFile);
+    connect(compare_, &QToolButton::clicked, this, [this] {
+        TakeDocument& take = studio_.take();
+        take.setComparedRun(take.comparedRun() == TakeDocument::kReference ? -1 : TakeDocument::kReference);
+    });
+    connect(&studio.take(), &TakeDocument::opened, this, &ReferencePanel::readFacts);
+    connect(&studio.take(), &TakeDocument::runsChanged, this, &ReferencePanel::refresh);
+    readFacts();
+}
+
+void ReferencePanel::readFacts() {
+    facts_.reset();
+    ++ticket_;
+    const auto overview = studio_.take().overview();
+    if (overview && overview->has_reference)
+        studio_.jobs().start<ReferenceFacts>(
+            tr("Looking at the reference"),
+            [path = overview->path](const JobContext&) { return referenceFacts(path); },
+            [self = QPointer(this), ticket = ticket_](Result<ReferenceFacts> facts) -> QString {
+                if (self && self->ticket_ == ticket && facts) {
+                    self->facts_ = *facts;
+                    self->refresh();
+                }
+                return {};
+            },
+            Jobs::Loudness::kQuiet);
+    refresh();
+}
+
+void ReferencePanel::refresh() {
+    const auto overview = studio_.take().overview();
+    const bool has = overview && overview->has_reference;
+    present_->setVisible(has);
+    absent_->setVisible(!has);
+    attach_->setText(has ? tr("Replace") : tr("Attach"));
+    attach_->setDisabledBecause(whyNotAttached());
+    compare_->setChecked(studio_.take().comparedRun() == TakeDocument::kReference);
+    if (has)
+        showFacts();
+}
+
+void ReferencePanel::showFacts() {
+    const bool simulated = studio_.take().overview()->reference_kind == "simulated";
+    const QString name = facts_ ? QString::fromStdString(facts_->name) : QString();
+    name_->setText(!name.isEmpty() ? name
+                   : simulated     ? tr("Truth of the simulation")
+                                   : tr("Attached reference"));
+    if (!facts_) {
+        detail_->setText(tr("in the take"));
+        return;
+    }
+    const QString matched = tr("%1 of %2 joints matched").arg(facts_->matched).arg(facts_->joints);
+    const QString shift = facts_->shift_s ? numberText(*facts_->shift_s, 3) + QChar(0x00A0) + "s" : QString();
+    detail_->setText(shift.isEmpty() ? matched : tr("aligned by %1, %2").arg(shift, matched));
+}
+
+/// Empty: a reference can be attached.
+QString ReferencePanel::whyNotAttached() const {
+    const TakeDocument& take = studio_.take();
+    if (!take.isOpen())
+        return tr("Open a take first.");
+    return take.subject() > 0 ? tr("A reference is attached to %1, the first performer of the take.")
+                                    .arg(performerName(take, 0))
+                              : QString();
+}
+
+void ReferencePanel::chooseFile() {
+    if (!whyNotAttached().isEmpty())
+        return;
+    const QString path = QFileDialog::getOpenFileName(
+        this, tr("Choose a recording of the same performance"), {},
+        tr("Motions and positions (*.bvh *.fbx *.glb *.gltf *.vrm *.dae *.csv)"));
+    if (!path.isEmpty())
+        ask(path);
+}
+
+void ReferencePanel::ask(const QString& path) {
+    AttachDialog dialog(*studio_.take().overview(), path, window());
+    if (dialog.exec() == QDialog::Accepted)
+        attach(dialog.choice());
+}
+
+void ReferencePanel::attach(const AttachChoice& choice) {
+    const std::string take_path = studio_.take().path().toStdString();
+    Job* job = studio_.jobs().start<Attached>(
+        tr("Attaching %1 to %2").arg(QFileInfo(choice.path).fileName(), openTakeName(studio_)),
+        [take_path, choice](const JobContext& context) -> Result<Attached> {
+            Attached attached;
+            auto request = readAttachment(choice.path.toStdString(), attached.warnings);
+            if (!request)
+                return request.error();
+            request->take_path = take_path;
+            request->as = choice.as;
+            request->shift_s = choice.shift_s;
+            request->overwrite = choice.overwrite;
+            const auto summary = attachReference(*request, context);
+            if (!summary)
+                return summary.error();
+            attached.summary = *summary;
+            attached.warnings.insert(attached.warnings.end(), summary->warnings.begin(),
+                                     summary->warnings.end());
+            return attached;
+        },
+        [self = QPointer(this), take_path,
+         kept = studio_.session().keepInPlace(studio_.take().path())](Result<Attached> attached) -> QString {
+            if (!attached)
+                return {};
+            if (self && self->studio_.take().path().toStdString() == take_path)
+                self->studio_.take().reload(false);
+            QString words = tr("Aligned by %1, %2 frames lie within the take.")
+                                .arg(numberText(attached->summary.shift_s, 3) + QChar(0x00A0) + "s",
+                                     countText(attached->summary.rows));
+            for (const std::string& warning : attached->warnings)
+                words += " " + coreWords(warning);
+            return words;
+        });
+    progress_->follow(job);
+}
+
+void ReferencePanel::dragEnterEvent(QDragEnterEvent* event) {
+    if (studio_.take().isOpen() && !motionFile(*event->mimeData()).isEmpty())
+        event->acceptProposedAction();
+}
+
+void ReferencePanel::dropEvent(QDropEvent* event) {
+    event->setDropAction(Qt::CopyAction);
+    event->accept();
+    const QString path = motionFile(*event->mimeData());
+    QTimer::singleShot(0, this, [this, path] { ask(path); });  // the drop ends before the dialog begins
+}
+
+}  // namespace noctule::ui

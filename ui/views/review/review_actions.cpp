@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/views/review/review_actions.h"
+
+#include "ui/models/studio.h"
+#include "ui/plots/timeline.h"
+#include "ui/plots/transport_bar.h"
+#include "ui/views/review/performer_switch.h"
+#include "ui/views/review/reference_panel.h"
+#include "ui/views/review/review_center.h"
+#include "ui/views/review/review_page.h"
+#include "ui/views/review/review_sidebar.h"
+#include "ui/views/review/scene_area.h"
+
+namespace noctule::ui {
+
+ReviewActions::ReviewActions(Studio& studio, ReviewPage& page)
+    : QObject(&page), studio_(studio), page_(page) {
+    addPlayback();
+    addSeparator();
+    addRange();
+    addSeparator();
+    addTake();
+    connect(&studio.time(), &TimeCursor::playingChanged, this, &ReviewActions::refresh);
+    connect(&studio.time(), &TimeCursor::settingsChanged, this, &ReviewActions::refresh);
+    connect(&studio.take(), &TakeDocument::opened, this, &ReviewActions::refresh);
+    connect(&studio.take(), &TakeDocument::runsChanged, this, &ReviewActions::refresh);
+    connect(&page.center().timeline(), &Timeline::chosenMarkerChanged, this, &ReviewActions::refresh);
+    connect(&studio.contacts(), &ContactEditor::changed, this, &ReviewActions::refresh);
+    connect(&page.center().scenes(), &SceneArea::sideBySideChanged, this, &ReviewActions::refresh);
+    refresh();
+}
+
+QAction* ReviewActions::add(const QString& text, const QKeySequence& keys, std::function<void()> act) {
+    auto* action = new QAction(text, this);
+    action->setShortcut(keys);
+    action->setShortcutContext(Qt::WidgetShortcut);
+    connect(action, &QAction::triggered, this, std::move(act));
+    page_.addAction(action);
+    all_ += action;
+    return action;
+}
+
+void ReviewActions::addSeparator() {
+    auto* separator = new QAction(this);
+    separator->setSeparator(true);
+    all_ += separator;
+}
+
+void ReviewActions::addPlayback() {
+    TimeCursor& time = studio_.time();
+    Timeline& timeline = page_.center().timeline();
+    play_ = add(tr("Play"), Qt::Key_Space, [&time] { time.toggle(); });
+    loop_ = add(tr("Loop"), QKeySequence("Ctrl+L"), [&time] { time.setLoop(!time.loops()); });
+    loop_->setCheckable(true);
+    add(tr("Next frame"), Qt::Key_Right, [&time] { time.stepFrames(1); });
+    add(tr("Previous frame"), Qt::Key_Left, [&time] { time.stepFrames(-1); });
+    add(tr("One second on"), QKeySequence("Shift+Right"), [&time] { time.stepSeconds(1); });
+    add(tr("One second back"), QKeySequence("Shift+Left"), [&time] { time.stepSeconds(-1); });
+    add(tr("Next marker"), Qt::Key_Period, [&timeline] { timeline.goToMarker(1); });
+    add(tr("Previous marker"), Qt::Key_Comma, [&timeline] { timeline.goToMarker(-1); });
+}
+
+void ReviewActions::addRange() {
+    TimeCursor& time = studio_.time();
+    TransportBar& transport = page_.center().transport();
+    add(tr("In here"), QKeySequence("Ctrl+I"), [&transport] { transport.setIn(); });
+    add(tr("Out here"), QKeySequence("Ctrl+O"), [&transport] { transport.setOut(); });
+    add(tr("Go to in"), Qt::Key_Home, [&time] { time.setTime(time.in()); });
+    add(tr("Go to out"), Qt::Key_End, [&time] { time.setTime(time.out()); });
+    add(tr("In and out at the ends"), {}, [&time] { time.setRange(0, time.duration()); });
+    add(tr("Marker here"), Qt::Key_M, [&transport] { transport.addMarker(); });
+    Timeline& timeline = page_.center().timeline();
+    name_marker_ = add(tr("Name marker"), Qt::Key_F2, [&timeline] { timeline.nameMarker(); });
+    delete_marker_ = add(tr("Delete marker"), Qt::Key_Delete, [&timeline] { timeline.deleteMarker(); });
+    add(tr("Foot contact here"), Qt::Key_Insert, [&timeline] { timeline.contactBars().addAtCursor(); });
+    found_contacts_ = add(tr("Back to the contacts that were found"), {},
+                          [&timeline] { timeline.contactBars().restoreFound(); });
+}
+
+void ReviewActions::addTake() {
+    SceneArea& scenes = page_.center().scenes();
+    add(tr("Reprocess"), {}, [this] { page_.reprocess(); });
+    add(tr("Attach reference"), {}, [this] { page_.sidebar().reference().chooseFile(); });
+    add(tr("Open full report"), {}, [this] { page_.openFullReport(); });
+    next_performer_ = add(tr("Next performer"), QKeySequence("Shift+P"),
+                          [this] { PerformerSwitch::showNext(studio_.take()); });
+    side_by_side_ =
+        add(tr("Results side by side"), {}, [&scenes] { scenes.setSideBySide(!scenes.isSideBySide()); });
+    side_by_side_->setCheckable(true);
+}
+
+void ReviewActions::refresh() {
+    const bool is_open = studio_.take().isOpen();
+    for (QAction* action : all_)
+        action->setEnabled(is_open);
+    for (QAction* action : {name_marker_, delete_marker_})
+        action->setEnabled(page_.center().timeline().canEditMarker());
+    found_contacts_->setEnabled(studio_.contacts().areEdited());
+    play_->setText(studio_.time().isPlaying() ? tr("Pause") : tr("Play"));
+    loop_->setChecked(studio_.time().loops());
+    side_by_side_->setChecked(page_.center().scenes().isSideBySide());
+    next_performer_->setEnabled(studio_.take().isOfSeveral());
+    side_by_side_->setEnabled(page_.center().scenes().canCompare());
+}
+
+}  // namespace noctule::ui

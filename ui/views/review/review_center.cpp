@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/views/review/review_center.h"
+
+#include <QSplitter>
+
+#include "ui/plots/heat_map.h"
+#include "ui/plots/plot_panel.h"
+#include "ui/plots/timeline.h"
+#include "ui/plots/transport_bar.h"
+#include "ui/style/theme.h"
+#include "ui/views/review/performer_switch.h"
+#include "ui/views/review/scene_area.h"
+#include "ui/views/scaled_layout.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/divider.h"
+#include "ui/widgets/scroll_area.h"
+
+namespace noctule::ui {
+
+namespace {
+constexpr const char *kAbove = "review/above", *kWhole = "review/whole";
+constexpr int kRoomForBoth = 700, kLeastAbove = 220;  // pixels at 100 percent
+}  // namespace
+
+ReviewCenter::ReviewCenter(Studio& studio, QWidget* parent)
+    : QWidget(parent),
+      studio_(studio),
+      performers_(new PerformerSwitch(studio)),
+      scenes_(new SceneArea(studio)),
+      heat_map_(new HeatMap(studio)),
+      plots_(new PlotPanel(studio)),
+      timeline_(new Timeline(studio, plots_->window())),
+      transport_(new TransportBar(studio, *timeline_)),
+      above_(new QSplitter(Qt::Horizontal)),
+      whole_(new QSplitter(Qt::Vertical)),
+      tabs_(makeTabs()) {
+    above_->addWidget(scenes_);
+    above_->addWidget(heat_map_);
+    above_->setStretchFactor(0, 1);
+    above_->setCollapsible(0, false);
+    auto* below = new QWidget;
+    auto* column = makeColumn(below);
+    column->addWidget(plots_, 1);
+    column->addWidget(timeline_);
+    column->addWidget(new Divider);
+    column->addWidget(transport_);
+    auto* top = new QWidget;
+    auto* top_column = makeColumn(top);
+    top_column->addWidget(performers_);
+    top_column->addWidget(tabs_);
+    top_column->addWidget(above_, 1);
+    keepMinimumHeight(*above_, kLeastAbove);
+    whole_->addWidget(top);
+    whole_->addWidget(below);
+    for (QSplitter* splitter : {above_, whole_}) {
+        splitter->setHandleWidth(1);
+        connect(splitter, &QSplitter::splitterMoved, this, &ReviewCenter::keepSplitters);
+    }
+    whole_->setCollapsible(1, false);
+    makeColumn(this)->addWidget(new ScrollArea(whole_));
+    restoreSplitters();
+    connect(&Theme::get(), &Theme::changed, this, &ReviewCenter::fold);
+    fold();
+}
+
+QWidget* ReviewCenter::makeTabs() {
+    auto* tabs = new QWidget;
+    auto* row = makeRow(tabs, {12, 4, 12, 4}, 4);
+    body_tab_ = makeButton(ButtonKind::kText, tr("Body"));
+    pairs_tab_ = makeButton(ButtonKind::kText, tr("Confidence per pair"));
+    for (Button* tab : {body_tab_, pairs_tab_}) {
+        tab->setCheckable(true);
+        row->addWidget(tab);
+        connect(tab, &QPushButton::clicked, this, [this, tab] { showPairs(tab == pairs_tab_); });
+    }
+    row->addStretch();
+    tabs->hide();
+    return tabs;
+}
+
+void ReviewCenter::showPairs(bool pairs) {
+    shows_pairs_ = pairs;
+    fold();
+}
+
+void ReviewCenter::fold() {
+    const bool folded = width() < Theme::get().px(kRoomForBoth);
+    tabs_->setVisible(folded);
+    body_tab_->setChecked(!shows_pairs_);
+    pairs_tab_->setChecked(shows_pairs_);
+    scenes_->setVisible(!folded || !shows_pairs_);
+    heat_map_->setVisible(!folded || shows_pairs_);
+}
+
+void ReviewCenter::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fold();
+}
+
+ReviewCenter::~ReviewCenter() = default;
+
+void ReviewCenter::restoreSplitters() {
+    const Theme& theme = Theme::get();
+    if (!above_->restoreState(studio_.settings().value(kAbove).toByteArray()))
+        above_->setSizes({theme.px(456), theme.px(412)});
+    if (!whole_->restoreState(studio_.settings().value(kWhole).toByteArray()))
+        whole_->setSizes({theme.px(346), theme.px(476)});
+}
+
+void ReviewCenter::keepSplitters() const {
+    studio_.settings().setValue(kAbove, above_->saveState());
+    studio_.settings().setValue(kWhole, whole_->saveState());
+}
+
+}  // namespace noctule::ui

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/views/review/take_range.h"
+
+#include <QScopedValueRollback>
+#include <cmath>
+
+#include "ui/views/open_take.h"
+
+namespace noctule::ui {
+
+namespace {
+
+constexpr int kRangePause_ms = 400;
+constexpr double kSame_s = 1e-4;
+
+bool same(double a_s, double b_s) {
+    return std::abs(a_s - b_s) < kSame_s;
+}
+
+}  // namespace
+
+TakeRange::TakeRange(Studio& studio, QObject* parent) : QObject(parent), studio_(studio) {
+    pause_.setSingleShot(true);
+    pause_.setInterval(kRangePause_ms);
+    connect(&pause_, &QTimer::timeout, this, &TakeRange::write);
+    connect(&studio.time(), &TimeCursor::rangeChanged, this, [this] {
+        if (!reading_)
+            pause_.start();
+    });
+    connect(&studio.take(), &TakeDocument::opened, this, [this] {
+        pause_.stop();  // the new take's whole extent is no choice of the operator
+        read();
+    });
+    connect(&studio.session(), &SessionModel::changed, this, &TakeRange::read);
+    read();
+}
+
+void TakeRange::read() {
+    const int index = openTakeIndex(studio_);
+    if (index < 0 || pause_.isActive())
+        return;
+    const SessionTake& take = studio_.session().session().takes[static_cast<size_t>(index)];
+    TimeCursor& time = studio_.time();
+    const double out_s = take.out_s > 0 ? take.out_s : time.duration();
+    const QScopedValueRollback<bool> quiet(reading_, true);
+    if (!same(take.in_s, time.in()) || !same(out_s, time.out()))
+        time.setRange(take.in_s, out_s);
+}
+
+void TakeRange::write() {
+    const int index = openTakeIndex(studio_);
+    if (index < 0)
+        return;
+    const SessionTake& take = studio_.session().session().takes[static_cast<size_t>(index)];
+    const TimeCursor& time = studio_.time();
+    const double out_s = same(time.out(), time.duration()) ? 0 : time.out();
+    if (!same(take.in_s, time.in()) || !same(take.out_s, out_s))
+        studio_.session().setTakeRange(index, time.in(), out_s);
+}
+
+}  // namespace noctule::ui
