@@ -103,7 +103,7 @@ public:
     /// empty.
     QString keepEvidence(const EvidencePlan& plan);
     /// Makes one by date when none is open; false: it could not be made.
-    bool makeSureOfSession();
+    bool makeSureOfSession() { return session_.makeSure(surroundings_.sessions_folder()); }
     void addMarker(const QString& label);
     void addNote(const QString& text);
     /// Who wears it; empty: the session's current performer.

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Streams of the connected suit: those that are only looked at, and takes.
-#include <QDate>
-#include <QDir>
 #include <QFileInfo>
 #include <QPointer>
 #include <numeric>
@@ -215,18 +213,6 @@ void LiveSuit::evidenceEnded(const StreamResult& result) {
         setPhase(phaseWithoutTake());
     emit evidenceRecorded(result.recording ? wordsOf(result.recording->path) : QString(),
                           trouble ? wordsOf(trouble->text()) : QString());
-}
-
-bool LiveSuit::makeSureOfSession() {
-    if (session_.isOpen())
-        return true;
-    const QDir home(surroundings_.sessions_folder());
-    const QString date = QDate::currentDate().toString(Qt::ISODate);
-    QString name = date;
-    for (int number = 2; QFileInfo::exists(home.filePath(name)); ++number)
-        name = QStringLiteral("%1 (%2)").arg(date).arg(number);
-    QDir().mkpath(home.path());
-    return session_.create(home.filePath(name), name);
 }
 
 QString LiveSuit::record(const TakePlan& plan) {

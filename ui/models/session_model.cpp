@@ -4,6 +4,7 @@
 
 #include <QDateTime>
 #include <QDir>
+#include <QFileInfo>
 #include <QSettings>
 
 #include "core/session/take_folder.h"
@@ -62,6 +63,18 @@ bool SessionModel::create(const QString& folder, const QString& name) {
     }
     adopt(std::move(*made), {});
     return true;
+}
+
+bool SessionModel::makeSure(const QString& home) {
+    if (isOpen())
+        return true;
+    const QDir folder(home);
+    const QString date = QDate::currentDate().toString(Qt::ISODate);
+    QString name = date;
+    for (int number = 2; QFileInfo::exists(folder.filePath(name)); ++number)
+        name = QStringLiteral("%1 (%2)").arg(date).arg(number);
+    QDir().mkpath(folder.path());
+    return create(folder.filePath(name), name);
 }
 
 void SessionModel::open(const QString& folder, const QString& take) {

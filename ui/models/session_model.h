@@ -37,6 +37,8 @@ public:
     void setCurrentTake(int index);
 
     bool create(const QString& folder, const QString& name);  ///< false: failed() was emitted
+    /// Makes one by date in `home` when none is open; false: failed() was emitted.
+    bool makeSure(const QString& home);
     /// A job; opened() or failed(). The take named becomes the current one, else the one that was current
     /// when the session was last open.
     void open(const QString& folder, const QString& take = {});

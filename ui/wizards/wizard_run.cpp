@@ -380,7 +380,7 @@ void WizardRun::solved(Result<CalibrationResult> result) {
         const bool is_judged = result_->grade() != Grade::kUnknown;
         if (task_ == WizardTask::kCheck && from_evidence_ && guide_ && is_judged)
             studio_.setChecked(
-                Studio::CheckedSuit{QDateTime::currentDateTime(), result_->grade() == Grade::kGood});
+                CheckedSuit{QDateTime::currentDateTime(), result_->grade() == Grade::kGood});
         return setPhase(Phase::kResult);
     }
     if (result.error().kind != ErrorKind::kCancelled)

@@ -77,7 +77,7 @@ RecordReadiness::RecordReadiness(Studio& studio, QWidget* parent)
     studio.suits().follow(&SuitCheck::changed, this, &RecordReadiness::refresh);
     studio.suits().follow(&LiveSuit::phaseChanged, this, &RecordReadiness::refresh);
     studio.suits().follow(&LiveSuit::wearingChanged, this, &RecordReadiness::refresh);
-    connect(&studio, &Studio::checkedChanged, this, &RecordReadiness::refresh);
+    connect(&studio.suits(), &LiveSuits::checkedChanged, this, &RecordReadiness::refresh);
     refresh();
     showRow();
 }

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// The take under review: its document, the moment and the part of the body that are looked at, and what
+// changes it.
+#pragma once
+
+#include "ui/models/contact_editor.h"
+#include "ui/models/marker_editor.h"
+#include "ui/models/selection.h"
+#include "ui/models/shared_context.h"
+#include "ui/models/take_changes.h"
+#include "ui/models/take_document.h"
+#include "ui/models/time_cursor.h"
+
+namespace noctule::ui {
+
+class ReviewContext {
+public:
+    /// `shared` outlives it.
+    explicit ReviewContext(SharedContext& shared);
+
+    SharedContext& shared() { return shared_; }
+    TakeDocument& take() { return take_; }
+    TimeCursor& time() { return time_; }
+    /// Of the suit that is connected, too.
+    Selection& selection() { return selection_; }
+    TakeChanges& changes() { return changes_; }
+    MarkerEditor& markers() { return markers_; }
+    ContactEditor& contacts() { return contacts_; }
+
+private:
+    void openChosenTake(int index);
+
+    SharedContext& shared_;
+    TimeCursor time_;
+    Selection selection_;
+    TakeDocument take_;
+    TakeChanges changes_;
+    MarkerEditor markers_;
+    ContactEditor contacts_;
+    QObject here_;  ///< receives what is told; gone before all others
+};
+
+}  // namespace noctule::ui

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/models/shared_context.h"
+
+#include <QDir>
+#include <QFile>
+#include <QStandardPaths>
+#include <QTemporaryFile>
+
+#include "core/mesh/import/glb_reader.h"
+
+namespace noctule::ui {
+namespace {
+
+constexpr const char* kBody = ":/noctule/bodies/mannequin.glb";
+
+/// assimp reads files of the disk only; the body is part of the program.
+Result<SkinnedMesh> readBody() {
+    QFile resource(kBody);
+    QTemporaryFile file(QDir::temp().filePath("noctule-XXXXXX.glb"));
+    const bool opened = resource.open(QIODevice::ReadOnly) && file.open();
+    const QByteArray bytes = opened ? resource.readAll() : QByteArray();
+    if (!opened || file.write(bytes) != bytes.size() || !file.flush())
+        return Error{
+            ErrorKind::kDisk, SharedContext::tr("The body could not be unpacked").toStdString(),
+            SharedContext::tr("Free some space on the disk; until then a skeleton is shown").toStdString()};
+    return readSkinnedMesh(file.fileName().toStdString());
+}
+
+}  // namespace
+
+SharedContext::SharedContext(StudioParts parts, QObject* parent)
+    : QObject(parent), parts_(std::move(parts)), session_(jobs_), shown_body_(jobs_, session_) {
+    connect(&shown_body_, &ShownBody::failed, this, &SharedContext::failed);
+    loadBody();
+}
+
+SharedContext::~SharedContext() = default;
+
+void SharedContext::loadBody() {
+    jobs_.start<SkinnedMesh>(
+        tr("Loading the body"), [](const JobContext&) { return readBody(); },
+        [this](Result<SkinnedMesh> mesh) -> QString {
+            if (mesh)
+                body_ = std::make_shared<const SkinnedMesh>(std::move(*mesh));
+            body_ended_ = true;
+            emit bodyLoaded();
+            return {};
+        },
+        Jobs::Loudness::kQuiet);
+}
+
+void SharedContext::whenBodyIsThere(QObject* context, std::function<void()> act) {
+    if (body_ended_)
+        act();
+    else
+        connect(this, &SharedContext::bodyLoaded, context, std::move(act));
+}
+
+QString SharedContext::sessionsFolder() const {
+    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    return settings_.value("folders/sessions", QDir(documents).filePath("Noctule")).toString();
+}
+
+QString SharedContext::takesFolder() const {
+    return session_.isOpen() ? QString::fromStdString(session_.session().folder.string()) : sessionsFolder();
+}
+
+}  // namespace noctule::ui
