@@ -134,8 +134,8 @@ Job* Studio::process(ProcessRequest request) {
                 return {};
             }
             session().refresh(path);
-            if (take().path() == path)
-                take().reload(true);
+            if (this->take().path() == path)
+                this->take().reload(true);
             QString result = tr("%1 of %2 is ready: %n pose(s)", "name of the result, of the take",
                                 static_cast<int>(summary->poses))
                                  .arg(words(summary->run_name), take);

@@ -53,17 +53,17 @@ void fillBoards(QMenu& menu, const Suit& suit, PlotChannels& channels) {
 
 }  // namespace
 
-void fillChannelMenu(QMenu& menu, Studio& studio, PlotChannels& channels) {
+void fillChannelMenu(QMenu& menu, ReviewContext& review, PlotChannels& channels) {
     qDeleteAll(menu.findChildren<QMenu*>(QString(), Qt::FindDirectChildrenOnly));
     menu.clear();
-    const auto overview = studio.take().overview();
+    const auto overview = review.take().overview();
     if (!overview) {
         menu.addAction(menuWords(QT_TRANSLATE_NOOP("ChannelMenu", "Open a take first")))->setEnabled(false);
         return;
     }
-    fillPairs(*menu.addMenu(menuWords(QT_TRANSLATE_NOOP("ChannelMenu", "Pairs"))), *studio.take().pairSuit(),
+    fillPairs(*menu.addMenu(menuWords(QT_TRANSLATE_NOOP("ChannelMenu", "Pairs"))), *review.take().pairSuit(),
               channels);
-    if (const auto motion = studio.take().shownMotion())
+    if (const auto motion = review.take().shownMotion())
         fillAngles(*menu.addMenu(menuWords(QT_TRANSLATE_NOOP("ChannelMenu", "Joint angles"))),
                    motion->skeleton, channels);
     fillBoards(*menu.addMenu(menuWords(QT_TRANSLATE_NOOP("ChannelMenu", "Boards"))), overview->suit,

@@ -10,6 +10,6 @@
 namespace noctule::ui {
 
 /// Fills the menu anew for the take that is open.
-void fillChannelMenu(QMenu& menu, Studio& studio, PlotChannels& channels);
+void fillChannelMenu(QMenu& menu, ReviewContext& review, PlotChannels& channels);
 
 }  // namespace noctule::ui

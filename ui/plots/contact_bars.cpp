@@ -21,7 +21,7 @@ int laneOf(const std::string& foot) {
 
 /// Within the contacts as they are now.
 const FootContact* ContactBars::contactAt(const ContactPlace& place) const {
-    const auto feet = studio_.contacts().contacts();
+    const auto feet = review_.contacts().contacts();
     return feet ? findContact(*feet, place) : nullptr;
 }
 
@@ -38,7 +38,7 @@ std::optional<QPoint> ContactBars::chosenPoint(const ContactLanes& lanes) const 
     if (chosen_.foot.empty())
         return std::nullopt;
     const FootContact* contact = chosenContact();
-    const double t_s = contact ? (contact->from_s + contact->to_s) / 2 : studio_.time().time();
+    const double t_s = contact ? (contact->from_s + contact->to_s) / 2 : review_.time().time();
     const QRect& row = lanes.feet[static_cast<size_t>(laneOf(chosen_.foot))];
     return QPoint(std::clamp(qRound(lanes.xOf(t_s)), row.left(), row.right()), row.center().y());
 }
@@ -50,7 +50,7 @@ void ContactBars::letGo() {
 
 /// As the contacts name it, else the usual way.
 std::string ContactBars::footOf(int lane) const {
-    if (const auto feet = studio_.contacts().contacts())
+    if (const auto feet = review_.contacts().contacts())
         for (const FootContacts& foot : *feet)
             if (laneOf(foot.foot) == lane)
                 return foot.foot;
@@ -58,7 +58,7 @@ std::string ContactBars::footOf(int lane) const {
 }
 
 std::optional<ContactBars::Hit> ContactBars::hitAt(const ContactLanes& lanes, const QPoint& position) const {
-    const auto feet = studio_.contacts().contacts();
+    const auto feet = review_.contacts().contacts();
     if (!feet)
         return std::nullopt;
     for (int lane = 0; lane < 2; ++lane) {
@@ -120,13 +120,13 @@ bool ContactBars::drag(const ContactLanes& lanes, const QPoint& position) {
         return false;
     const double moved_s = lanes.timeAt(position.x()) - drag_->grabbed_s;
     FootContact wanted = drag_->before;
-    const double length_s = wanted.to_s - wanted.from_s, end_s = studio_.time().duration();
+    const double length_s = wanted.to_s - wanted.from_s, end_s = review_.time().duration();
     switch (drag_->part) {
         case Part::kFrom:
-            wanted.from_s = std::min(wanted.from_s + moved_s, wanted.to_s - studio_.time().frameStep());
+            wanted.from_s = std::min(wanted.from_s + moved_s, wanted.to_s - review_.time().frameStep());
             break;
         case Part::kTo:
-            wanted.to_s = std::max(wanted.to_s + moved_s, wanted.from_s + studio_.time().frameStep());
+            wanted.to_s = std::max(wanted.to_s + moved_s, wanted.from_s + review_.time().frameStep());
             break;
         case Part::kAll:
             wanted.from_s = std::clamp(wanted.from_s + moved_s, 0.0, std::max(0.0, end_s - length_s));
@@ -134,7 +134,7 @@ bool ContactBars::drag(const ContactLanes& lanes, const QPoint& position) {
             break;
     }
     const bool is_still = std::abs(moved_s * lanes.px_per_s) < 1;
-    drag_->now = is_still ? drag_->before : studio_.contacts().fitting(wanted);
+    drag_->now = is_still ? drag_->before : review_.contacts().fitting(wanted);
     return true;
 }
 
@@ -159,22 +159,22 @@ bool ContactBars::doubleClick(const ContactLanes& lanes, const QPoint& position)
 
 /// What the operator has set holds from then on for all results: worth a word the first time.
 void ContactBars::tellFirst(bool were_edited) {
-    if (!were_edited && studio_.contacts().areEdited())
-        studio_.say(tr("The contacts are yours now. Reprocess the take to hold the body by them."));
+    if (!were_edited && review_.contacts().areEdited())
+        review_.shared().say(tr("The contacts are yours now. Reprocess the take to hold the body by them."));
 }
 
 void ContactBars::put(const ContactPlace& place, const FootContact& wanted) {
-    const bool were_edited = studio_.contacts().areEdited();
-    chosen_ = studio_.contacts().put(place, wanted);
+    const bool were_edited = review_.contacts().areEdited();
+    chosen_ = review_.contacts().put(place, wanted);
     tellFirst(were_edited);
 }
 
 /// As long as a short step, as far as the contacts beside it leave room; nothing on one that is there.
 void ContactBars::add(const std::string& foot, double t_s) {
-    const auto feet = studio_.contacts().contacts();
+    const auto feet = review_.contacts().contacts();
     if (!feet)
         return;
-    const double step_s = studio_.time().frameStep();
+    const double step_s = review_.time().frameStep();
     FootContact wanted{t_s - kNewContact_s / 2, t_s + kNewContact_s / 2};
     for (int i = 0; const FootContact* other = findContact(*feet, {foot, i}); ++i) {
         if (other->from_s <= t_s && t_s <= other->to_s) {
@@ -190,48 +190,48 @@ void ContactBars::add(const std::string& foot, double t_s) {
 }
 
 void ContactBars::addAtCursor() {
-    add(chosen_.foot.empty() ? footOf(0) : chosen_.foot, studio_.time().time());
+    add(chosen_.foot.empty() ? footOf(0) : chosen_.foot, review_.time().time());
 }
 
 void ContactBars::removeChosen() {
     if (!chosenContact())
         return;
-    const bool were_edited = studio_.contacts().areEdited();
-    studio_.contacts().remove(chosen_);
+    const bool were_edited = review_.contacts().areEdited();
+    review_.contacts().remove(chosen_);
     chosen_.index = -1;
     tellFirst(were_edited);
 }
 
 void ContactBars::restoreFound() {
     letGo();
-    studio_.contacts().restoreFound();
+    review_.contacts().restoreFound();
 }
 
 void ContactBars::beginAtCursor() {
     const FootContact* contact = chosenContact();
-    if (contact && studio_.time().time() < contact->to_s)
-        put(chosen_, {studio_.time().time(), contact->to_s});
+    if (contact && review_.time().time() < contact->to_s)
+        put(chosen_, {review_.time().time(), contact->to_s});
 }
 
 void ContactBars::endAtCursor() {
     const FootContact* contact = chosenContact();
-    if (contact && studio_.time().time() > contact->from_s)
-        put(chosen_, {contact->from_s, studio_.time().time()});
+    if (contact && review_.time().time() > contact->from_s)
+        put(chosen_, {contact->from_s, review_.time().time()});
 }
 
 void ContactBars::chooseAt(int lane) {
-    if (const auto feet = studio_.contacts().contacts())
-        chosen_ = contactNear(*feet, footOf(lane), studio_.time().time());
+    if (const auto feet = review_.contacts().contacts())
+        chosen_ = contactNear(*feet, footOf(lane), review_.time().time());
 }
 
 void ContactBars::walk(int direction) {
-    const auto feet = studio_.contacts().contacts();
+    const auto feet = review_.contacts().contacts();
     const ContactPlace next{chosen_.foot, chosen_.index + direction};
     const FootContact* contact = feet ? findContact(*feet, next) : nullptr;
     if (!contact)
         return;
     chosen_ = next;
-    studio_.time().setTime(contact->from_s);
+    review_.time().setTime(contact->from_s);
 }
 
 bool ContactBars::edit(int key) {
@@ -265,7 +265,7 @@ bool ContactBars::edit(int key) {
 }
 
 bool ContactBars::key(const QKeyEvent& event) {
-    if (!studio_.contacts().contacts())
+    if (!review_.contacts().contacts())
         return false;
     const bool walks = event.key() == Qt::Key_Left || event.key() == Qt::Key_Right;
     if (event.modifiers() == Qt::ControlModifier && walks && hasChosen()) {
@@ -282,7 +282,7 @@ void ContactBars::fillEdits(QMenu& menu) {
         action->setEnabled(is_possible);
     };
     const FootContact* contact = chosenContact();
-    const double now_s = studio_.time().time();
+    const double now_s = review_.time().time();
     if (!contact) {
         offer(tr("Set a contact at the cursor"), Qt::Key_Insert, true, [this] { addAtCursor(); });
     } else {
@@ -291,7 +291,7 @@ void ContactBars::fillEdits(QMenu& menu) {
         offer(tr("Delete contact"), QKeySequence::Delete, true, [this] { removeChosen(); });
     }
     menu.addSeparator();
-    offer(tr("Back to what was found"), {}, studio_.contacts().areEdited(), [this] { restoreFound(); });
+    offer(tr("Back to what was found"), {}, review_.contacts().areEdited(), [this] { restoreFound(); });
 }
 
 bool ContactBars::fillMenu(QMenu& menu, const ContactLanes& lanes, const QPoint& position) {

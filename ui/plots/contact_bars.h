@@ -12,7 +12,7 @@
 #include <array>
 #include <optional>
 
-#include "ui/models/studio.h"
+#include "ui/models/review_context.h"
 
 namespace noctule::ui {
 
@@ -32,7 +32,7 @@ int laneOf(const std::string& foot);
 class ContactBars {
     Q_DECLARE_TR_FUNCTIONS(ContactBars)
 public:
-    explicit ContactBars(Studio& studio) : studio_(studio) {}
+    explicit ContactBars(ReviewContext& review) : review_(review) {}
 
     bool hasChosen() const { return chosenContact() != nullptr; }
     /// "Left foot stands from 0:17.20 to 0:17.94, set by hand"; empty when none is chosen.
@@ -89,7 +89,7 @@ private:
     bool edit(int key);
     void tellFirst(bool were_edited);
 
-    Studio& studio_;
+    ReviewContext& review_;
     ContactPlace chosen_{};  ///< a foot without an index: its lane
     std::optional<Drag> drag_{};
 };

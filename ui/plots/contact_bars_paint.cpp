@@ -30,7 +30,7 @@ void ContactBars::paintTitles(QPainter& painter, const ContactLanes& lanes) cons
 
 void ContactBars::paint(QPainter& painter, const ContactLanes& lanes) const {
     paintTitles(painter, lanes);
-    const auto known = studio_.contacts().contacts();
+    const auto known = review_.contacts().contacts();
     if (!known)
         return;
     ContactPlace chosen = chosen_;
@@ -54,7 +54,7 @@ void ContactBars::paintBar(QPainter& painter, const ContactLanes& lanes, const Q
     const Theme& theme = Theme::get();
     const double left = std::max<double>(lanes.xOf(contact.from_s), row.left());
     const double right = std::min<double>(lanes.xOf(contact.to_s), row.right() + 1);
-    const double in_x = lanes.xOf(studio_.time().in()), out_x = lanes.xOf(studio_.time().out());
+    const double in_x = lanes.xOf(review_.time().in()), out_x = lanes.xOf(review_.time().out());
     const QRectF bar(left, row.top(), right - left, row.height());
     const double line = theme.px(kByHandLine);
     const auto part = [&](double from, double to, double opacity) {

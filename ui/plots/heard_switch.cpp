@@ -37,19 +37,19 @@ QString heardWords(const TakeDocument& take) {
     return heardWords(take, take.sourcesOf());
 }
 
-HeardSwitch::HeardSwitch(Studio& studio, QWidget* parent)
-    : QWidget(parent), studio_(studio), row_(new QHBoxLayout(this)) {
+HeardSwitch::HeardSwitch(ReviewContext& review, QWidget* parent)
+    : QWidget(parent), review_(review), row_(new QHBoxLayout(this)) {
     row_->setContentsMargins(0, 0, 0, 0);
     row_->setSpacing(4);
     row_->addStretch();
-    connect(&studio.take(), &TakeDocument::opened, this, &HeardSwitch::refresh);
-    connect(&studio.take(), &TakeDocument::rangesChanged, this, &HeardSwitch::refresh);
+    connect(&review.take(), &TakeDocument::opened, this, &HeardSwitch::refresh);
+    connect(&review.take(), &TakeDocument::rangesChanged, this, &HeardSwitch::refresh);
     connect(&Theme::get(), &Theme::changed, this, &HeardSwitch::decorate);
     refresh();
 }
 
 void HeardSwitch::refresh() {
-    const TakeDocument& take = studio_.take();
+    const TakeDocument& take = review_.take();
     const size_t parties = take.isOpen() ? take.overview()->parties.size() : 0;
     const size_t count = parties > 1 ? parties : 0;
     while (buttons_.size() > count) {
@@ -64,7 +64,7 @@ void HeardSwitch::refresh() {
         button->setFocusPolicy(Qt::TabFocus);
         button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
         connect(button, &QToolButton::clicked, this, [this, party] {
-            studio_.take().setSourcesOf(party);
+            review_.take().setSourcesOf(party);
             refresh();  // a click on the chosen one does not switch it off
         });
         row_->insertWidget(row_->count() - 1, button);
@@ -83,7 +83,7 @@ void HeardSwitch::decorate() {
     const int size_px = theme.px(kHeardDisc);
     for (size_t i = 0; i < buttons_.size(); ++i) {
         QToolButton& button = *buttons_[i];
-        const bool person = isPerson(studio_.take(), static_cast<int>(i));
+        const bool person = isPerson(review_.take(), static_cast<int>(i));
         button.setFont(theme.font(TextRole::kSecondary, button.isChecked()));
         button.setIconSize({size_px, size_px});
         button.setIcon(person ? QIcon(performerPixmap(static_cast<int>(i), size_px, devicePixelRatioF()))

@@ -6,7 +6,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "ui/models/studio.h"
+#include "ui/models/review_context.h"
 
 class QBoxLayout;
 class QToolButton;
@@ -16,7 +16,7 @@ namespace noctule::ui {
 class HeardSwitch : public QWidget {
     Q_OBJECT
 public:
-    explicit HeardSwitch(Studio& studio, QWidget* parent = nullptr);
+    explicit HeardSwitch(ReviewContext& review, QWidget* parent = nullptr);
 
     const std::vector<QToolButton*>& buttons() const { return buttons_; }
 
@@ -24,7 +24,7 @@ private:
     void refresh();
     void decorate();
 
-    Studio& studio_;
+    ReviewContext& review_;
     QBoxLayout* row_;
     std::vector<QToolButton*> buttons_;
 };

@@ -16,8 +16,8 @@
 #include "ui/widgets/tool_button.h"
 
 namespace noctule::ui {
-HeatMap::HeatMap(Studio& studio, QWidget* parent)
-    : QWidget(parent), studio_(studio), repaint_([this] { refreshCells(); }) {
+HeatMap::HeatMap(ReviewContext& review, QWidget* parent)
+    : QWidget(parent), review_(review), repaint_([this] { refreshCells(); }) {
     build();
     connectStudio();
     readTake();
@@ -54,22 +54,22 @@ void HeatMap::build() {
     place();
     connect(&Theme::get(), &Theme::changed, this, place);
     column->addLayout(head);
-    column->addWidget(new HeardSwitch(studio_));
+    column->addWidget(new HeardSwitch(review_));
     column->addWidget(grid_, 1);
     column->addLayout(foot);
 }
 
 void HeatMap::connectStudio() {
-    TakeDocument& take = studio_.take();
+    TakeDocument& take = review_.take();
     connect(&take, &TakeDocument::opened, this, &HeatMap::readTake);
     connect(&take, &TakeDocument::runsChanged, this, &HeatMap::readTake);
     connect(&take, &TakeDocument::rangesChanged, this, &HeatMap::readTake);
-    connect(&studio_.time(), &TimeCursor::rangeChanged, this, [this] { repaint_.ask(); });
-    connect(&studio_.time(), &TimeCursor::timeChanged, this, [this] {
+    connect(&review_.time(), &TimeCursor::rangeChanged, this, [this] { repaint_.ask(); });
+    connect(&review_.time(), &TimeCursor::timeChanged, this, [this] {
         if (at_cursor_)
             repaint_.ask();
     });
-    Selection& selection = studio_.selection();
+    Selection& selection = review_.selection();
     connect(&selection, &Selection::pairChanged, this, &HeatMap::tellPair);
     connect(grid_, &PairGrid::chosen, &selection, &Selection::setPair);
     connect(cursor_switch_, &QAbstractButton::toggled, this, &HeatMap::setShowsCursor);
@@ -86,13 +86,13 @@ QString HeatMap::readout() const {
 }
 
 void HeatMap::readTake() {
-    overview_ = studio_.take().overview();
-    summaries_ = overview_ ? studio_.take().pairSummaries() : nullptr;
+    overview_ = review_.take().overview();
+    summaries_ = overview_ ? review_.take().pairSummaries() : nullptr;
     refreshCells();
 }
 
 std::pair<double, double> HeatMap::interval() const {
-    const TimeCursor& time = studio_.time();
+    const TimeCursor& time = review_.time();
     if (at_cursor_)
         return {time.time() - kPairHold_s, std::nextafter(time.time(), time.time() + 1)};
     return {time.in(), time.out()};
@@ -139,7 +139,7 @@ void HeatMap::refreshCells() {
     hint_->setText(at_cursor_ ? tr("now, at the cursor") : tr("mean between in and out"));
     PairGridContent content;
     if (overview_ && summaries_) {
-        const Suit& suit = *studio_.take().pairSuit();
+        const Suit& suit = *review_.take().pairSuit();
         const int sources = std::min(static_cast<int>(suit.sources.size()), summaries_->sourceCount());
         const int boards = std::min(static_cast<int>(suit.boards.size()), summaries_->boardCount());
         for (int s = 0; s < sources; ++s)
@@ -169,22 +169,22 @@ void HeatMap::refreshCells() {
 }
 
 void HeatMap::tellPair() {
-    const int source = studio_.selection().source(), board = studio_.selection().board();
+    const int source = review_.selection().source(), board = review_.selection().board();
     grid_->setCurrent(source, board);
     if (!overview_) {
         pair_text_->setText(tr("Open a take to see how well each board heard each source"));
         detail_text_->clear();
         return;
     }
-    if (studio_.take().shownRun() < 0) {
+    if (review_.take().shownRun() < 0) {
         pair_text_->setText(
             tr("This take has no result yet. Process it to see which board heard which source."));
         detail_text_->clear();
         return;
     }
     if (!summaries_) {
-        const bool failed = !studio_.take().problem().isEmpty() && !studio_.take().isLoading();
-        pair_text_->setText(failed ? studio_.take().problem() : tr("Reading ranges"));
+        const bool failed = !review_.take().problem().isEmpty() && !review_.take().isLoading();
+        pair_text_->setText(failed ? review_.take().problem() : tr("Reading ranges"));
         detail_text_->clear();
         return;
     }

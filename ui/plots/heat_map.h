@@ -6,7 +6,7 @@
 
 #include <QWidget>
 
-#include "ui/models/studio.h"
+#include "ui/models/review_context.h"
 #include "ui/plots/pair_grid.h"
 #include "ui/plots/repaint_limit.h"
 
@@ -19,7 +19,7 @@ class ToolButton;
 class HeatMap : public QWidget {
     Q_OBJECT
 public:
-    explicit HeatMap(Studio& studio, QWidget* parent = nullptr);
+    explicit HeatMap(ReviewContext& review, QWidget* parent = nullptr);
 
     PairGrid& grid() { return *grid_; }
     /// Off: mean between in and out.
@@ -38,7 +38,7 @@ private:
     PairCell cellOf(int source, int board) const;
     QString wordsOf(int source, int board, const PairCell& cell) const;
 
-    Studio& studio_;
+    ReviewContext& review_;
     Label *title_ = nullptr, *hint_ = nullptr;
     ToolButton* cursor_switch_ = nullptr;
     PairGrid* grid_ = nullptr;

@@ -23,26 +23,26 @@ constexpr double kDot = 3.5;       // pixels at 100 percent
 /// The time cursor with its dots on the curves, and the take's markers, above all lanes.
 class LaneStack::Overlay : public QWidget {
 public:
-    Overlay(LaneStack& stack, Studio& studio, TimeWindow& window)
-        : QWidget(&stack), stack_(stack), studio_(studio), window_(window) {
+    Overlay(LaneStack& stack, ReviewContext& review, TimeWindow& window)
+        : QWidget(&stack), stack_(stack), review_(review), window_(window) {
         setAttribute(Qt::WA_TransparentForMouseEvents);
         setAttribute(Qt::WA_NoSystemBackground);
     }
 
     void follow() {
         updateAround(cursor_s_);
-        cursor_s_ = studio_.time().time();
+        cursor_s_ = review_.time().time();
         updateAround(cursor_s_);
     }
     void renew() {
-        cursor_s_ = studio_.time().time();
+        cursor_s_ = review_.time().time();
         update();
     }
 
 protected:
     void paintEvent(QPaintEvent*) override {
         QPainter painter(this);
-        if (const auto overview = studio_.take().overview())
+        if (const auto overview = review_.take().overview())
             paintMarkers(painter, *overview);
         paintCursor(painter);
     }
@@ -78,7 +78,7 @@ private:
     void paintCursor(QPainter& painter) const {
         const double t_s = cursor_s_;
         const int x_px = qRound(xOf(t_s));
-        if (!shows(t_s) || !studio_.take().isOpen())
+        if (!shows(t_s) || !review_.take().isOpen())
             return;
         const Tokens& tokens = Theme::get().tokens();
         painter.fillRect(QRect(x_px, 0, Theme::get().px(1), height()), tokens.t1);
@@ -93,18 +93,18 @@ private:
     }
 
     LaneStack& stack_;
-    Studio& studio_;
+    ReviewContext& review_;
     TimeWindow& window_;
     /// Where the cursor is painted. Painting does not change it: a part may be painted, for whatever reason,
     /// before follow() has seen the new time, and the old cursor would stay elsewhere.
     double cursor_s_ = 0;
 };
 
-LaneStack::LaneStack(Studio& studio, TimeWindow& window, QWidget* parent)
+LaneStack::LaneStack(ReviewContext& review, TimeWindow& window, QWidget* parent)
     : QWidget(parent),
-      studio_(studio),
+      review_(review),
       window_(window),
-      overlay_(new Overlay(*this, studio, window)),
+      overlay_(new Overlay(*this, review, window)),
       redraw_([this] { redraw(); }),
       move_cursor_([this] { moveCursor(); }) {
     setFocusPolicy(Qt::StrongFocus);
@@ -113,9 +113,9 @@ LaneStack::LaneStack(Studio& studio, TimeWindow& window, QWidget* parent)
     setAccessibleDescription(
         tr("Plus and minus zoom, Ctrl and the arrow keys pan, Ctrl+0 shows the whole take"));
     connect(&window, &TimeWindow::changed, this, [this] { redraw_.ask(); });
-    connect(&studio.time(), &TimeCursor::rangeChanged, this, [this] { redraw_.ask(); });
-    connect(&studio.time(), &TimeCursor::timeChanged, this, [this] { move_cursor_.ask(); });
-    connect(&studio.take(), &TakeDocument::opened, overlay_, [this] { overlay_->renew(); });
+    connect(&review.time(), &TimeCursor::rangeChanged, this, [this] { redraw_.ask(); });
+    connect(&review.time(), &TimeCursor::timeChanged, this, [this] { move_cursor_.ask(); });
+    connect(&review.take(), &TakeDocument::opened, overlay_, [this] { overlay_->renew(); });
     connect(&Theme::get(), &Theme::changed, this, [this] {
         updateGeometry();
         place();
@@ -174,17 +174,17 @@ void LaneStack::resizeEvent(QResizeEvent*) {
 }
 
 void LaneStack::redraw() {
-    const LaneEmphasis emphasis{studio_.time().in(), studio_.time().out()};
+    const LaneEmphasis emphasis{review_.time().in(), review_.time().out()};
     for (PlotLane* lane : lanes_) {
         lane->draw(window_.from(), window_.to(), emphasis);
-        lane->setCursor(studio_.time().time());
+        lane->setCursor(review_.time().time());
     }
     overlay_->renew();
 }
 
 void LaneStack::moveCursor() {
     for (PlotLane* lane : lanes_)
-        lane->setCursor(studio_.time().time());
+        lane->setCursor(review_.time().time());
     overlay_->follow();
 }
 
@@ -194,7 +194,7 @@ double LaneStack::timeAt(double x_px) const {
 }
 
 double LaneStack::zoomCentre() const {
-    const double t_s = studio_.time().time();
+    const double t_s = review_.time().time();
     return t_s >= window_.from() && t_s <= window_.to() ? t_s : (window_.from() + window_.to()) / 2;
 }
 
@@ -207,14 +207,14 @@ void LaneStack::mousePressEvent(QMouseEvent* event) {
         setCursor(Qt::ClosedHandCursor);
     } else if (event->button() == Qt::LeftButton) {
         drag_ = Drag::kTime;
-        studio_.time().setTime(timeAt(drag_x_px_));
+        review_.time().setTime(timeAt(drag_x_px_));
     }
 }
 
 void LaneStack::mouseMoveEvent(QMouseEvent* event) {
     const double x = event->localPos().x();
     if (drag_ == Drag::kTime)
-        studio_.time().setTime(timeAt(x));
+        review_.time().setTime(timeAt(x));
     if (drag_ == Drag::kPan) {
         window_.pan(timeAt(drag_x_px_) - timeAt(x));
         drag_x_px_ = x;
@@ -249,8 +249,8 @@ void LaneStack::wheelEvent(QWheelEvent* event) {
 }
 
 void LaneStack::keyPressEvent(QKeyEvent* event) {
-    if (stepTime(studio_.time(), *event)) {
-        window_.reveal(studio_.time().time());
+    if (stepTime(review_.time(), *event)) {
+        window_.reveal(review_.time().time());
         return;
     }
     const bool control = event->modifiers() & Qt::ControlModifier;

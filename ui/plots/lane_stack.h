@@ -8,7 +8,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "ui/models/studio.h"
+#include "ui/models/review_context.h"
 #include "ui/plots/plot_lane.h"
 #include "ui/plots/repaint_limit.h"
 #include "ui/plots/time_window.h"
@@ -18,7 +18,7 @@ namespace noctule::ui {
 class LaneStack : public QWidget {
     Q_OBJECT
 public:
-    LaneStack(Studio& studio, TimeWindow& window, QWidget* parent = nullptr);
+    LaneStack(ReviewContext& review, TimeWindow& window, QWidget* parent = nullptr);
 
     void setLanes(std::vector<LaneContent> lanes);
     const std::vector<PlotLane*>& lanes() const { return lanes_; }
@@ -50,7 +50,7 @@ private:
     double timeAt(double x_px) const;
     double zoomCentre() const;
 
-    Studio& studio_;
+    ReviewContext& review_;
     TimeWindow& window_;
     std::vector<PlotLane*> lanes_;
     Overlay* overlay_;

@@ -18,23 +18,23 @@ bool put(Set& set, const Item& item, bool in) {
 
 }  // namespace
 
-PlotChannels::PlotChannels(Studio& studio, QObject* parent) : QObject(parent), studio_(studio) {
-    const QVariant stored = studio.settings().value(kTabsKey);
+PlotChannels::PlotChannels(ReviewContext& review, QObject* parent) : QObject(parent), review_(review) {
+    const QVariant stored = review.shared().settings().value(kTabsKey);
     if (stored.isValid())
         for (const QVariant& tab : stored.toList())
             if (tab.toInt() >= 0 && tab.toInt() < kPlotTabs)
                 tabs_.insert(static_cast<PlotTab>(tab.toInt()));
     if (tabs_.empty())
         tabs_ = {PlotTab::kConfidence, PlotTab::kJointAngles};
-    connect(&studio.selection(), &Selection::pairChanged, this, &PlotChannels::changed);
-    connect(&studio.selection(), &Selection::jointChanged, this, &PlotChannels::changed);
+    connect(&review.selection(), &Selection::pairChanged, this, &PlotChannels::changed);
+    connect(&review.selection(), &Selection::jointChanged, this, &PlotChannels::changed);
 }
 
 void PlotChannels::saveTabs() const {
     QVariantList list;
     for (const PlotTab tab : tabs_)
         list.append(static_cast<int>(tab));
-    studio_.settings().setValue(kTabsKey, list);
+    review_.shared().settings().setValue(kTabsKey, list);
 }
 
 void PlotChannels::setOn(PlotTab tab, bool on) {
@@ -45,7 +45,7 @@ void PlotChannels::setOn(PlotTab tab, bool on) {
 }
 
 std::vector<PairChannel> PlotChannels::pairs() const {
-    const Selection& selection = studio_.selection();
+    const Selection& selection = review_.selection();
     const PairChannel chosen{selection.source(), selection.board()};
     std::vector<PairChannel> all;
     if (chosen.source >= 0 && chosen.board >= 0)
@@ -56,7 +56,7 @@ std::vector<PairChannel> PlotChannels::pairs() const {
 }
 
 std::vector<int> PlotChannels::boards() const {
-    const int chosen = studio_.selection().board();
+    const int chosen = review_.selection().board();
     std::vector<int> all;
     if (chosen >= 0)
         all.push_back(chosen);
@@ -66,7 +66,7 @@ std::vector<int> PlotChannels::boards() const {
 }
 
 std::vector<CurveChoice> PlotChannels::angles(const Skeleton& skeleton) const {
-    const std::string joint = studio_.selection().joint().toStdString();
+    const std::string joint = review_.selection().joint().toStdString();
     const bool is_root = skeleton.size() > 0 && skeleton.joint(0).name == joint;
     std::vector<CurveChoice> all;
     const std::vector<CurveChoice> choices = curveChoices(skeleton);

@@ -7,7 +7,7 @@
 #include <set>
 #include <vector>
 
-#include "ui/models/studio.h"
+#include "ui/models/review_context.h"
 
 namespace noctule::ui {
 
@@ -22,7 +22,7 @@ struct PairChannel {
 class PlotChannels : public QObject {
     Q_OBJECT
 public:
-    PlotChannels(Studio& studio, QObject* parent = nullptr);
+    PlotChannels(ReviewContext& review, QObject* parent = nullptr);
 
     bool isOn(PlotTab tab) const { return tabs_.contains(tab); }
     void setOn(PlotTab tab, bool on);
@@ -51,7 +51,7 @@ private:
     void switchOnOneOf(std::initializer_list<PlotTab> tabs);
     void saveTabs() const;
 
-    Studio& studio_;
+    ReviewContext& review_;
     std::set<PlotTab> tabs_;
     std::set<PairChannel> pairs_;
     std::set<int> boards_;

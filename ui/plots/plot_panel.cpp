@@ -24,14 +24,14 @@ constexpr double kTabHeight = 28, kTabPadding = 20, kHeadInset = 12, kHeadGap = 
 
 }  // namespace
 
-PlotPanel::PlotPanel(Studio& studio, QWidget* parent)
+PlotPanel::PlotPanel(ReviewContext& review, QWidget* parent)
     : QWidget(parent),
-      studio_(studio),
-      window_(studio.time()),
-      channels_(studio),
-      sound_(studio),
+      review_(review),
+      window_(review.time()),
+      channels_(review),
+      sound_(review),
       rebuild_([this] { rebuild(); }) {
-    stack_ = new LaneStack(studio, window_);
+    stack_ = new LaneStack(review, window_);
     scroll_ = new ScrollArea(stack_);
     scroll_->setWidgetResizable(true);
     scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -59,7 +59,7 @@ PlotPanel::PlotPanel(Studio& studio, QWidget* parent)
     pages_->addWidget(new EmptyState(tr("Open a take to see its curves.")));
     column->addLayout(pages_, 1);
 
-    TakeDocument& take = studio.take();
+    TakeDocument& take = review.take();
     connect(&take, &TakeDocument::opened, this, &PlotPanel::chooseSomething);
     connect(&take, &TakeDocument::opened, this, &PlotPanel::fitTabs);
     for (const auto signal :
@@ -105,7 +105,7 @@ void PlotPanel::buildTabs(QLayout& row) {
 
 /// Distances between people need several.
 bool PlotPanel::isOffered(const QToolButton* tab) const {
-    return tab != tabs_[static_cast<size_t>(PlotTab::kBetween)] || studio_.take().isOfSeveral();
+    return tab != tabs_[static_cast<size_t>(PlotTab::kBetween)] || review_.take().isOfSeveral();
 }
 
 void PlotPanel::fitTabs() {
@@ -174,7 +174,7 @@ void PlotPanel::buildActions(QLayout& row) {
     };
     QMenu* channels = add("new", tr("Add a channel"));
     connect(channels, &QMenu::aboutToShow, this,
-            [this, channels] { fillChannelMenu(*channels, studio_, channels_); });
+            [this, channels] { fillChannelMenu(*channels, review_, channels_); });
     QMenu* picture = add("camera", tr("Picture of the plots"));
     picture->addAction(tr("Copy as picture"), this, &PlotPanel::copyPicture);
     picture->addAction(tr("Save as PNG…"), this, &PlotPanel::savePicture);
@@ -184,10 +184,10 @@ void PlotPanel::buildActions(QLayout& row) {
 }
 
 void PlotPanel::chooseSomething() {
-    if (!studio_.take().isOpen())
+    if (!review_.take().isOpen())
         return;
-    Selection& selection = studio_.selection();
-    const Suit& suit = studio_.take().overview()->suit;
+    Selection& selection = review_.selection();
+    const Suit& suit = review_.take().overview()->suit;
     const auto sources = static_cast<int>(suit.sources.size()), boards = static_cast<int>(suit.boards.size());
     const bool exists = selection.source() >= 0 && selection.source() < sources && selection.board() >= 0 &&
                         selection.board() < boards;
@@ -203,9 +203,9 @@ void PlotPanel::chooseSomething() {
 }
 
 void PlotPanel::rebuild() {
-    const bool open = studio_.take().isOpen();
+    const bool open = review_.take().isOpen();
     pages_->setCurrentIndex(open ? 0 : 1);
-    stack_->setLanes(open ? allLanes({studio_.take(), channels_, sound_, window_})
+    stack_->setLanes(open ? allLanes({review_.take(), channels_, sound_, window_})
                           : std::vector<LaneContent>{});
 }
 

@@ -9,7 +9,7 @@
 #include <QWidget>
 #include <array>
 
-#include "ui/models/studio.h"
+#include "ui/models/review_context.h"
 #include "ui/plots/lane_stack.h"
 #include "ui/plots/plot_channels.h"
 #include "ui/plots/repaint_limit.h"
@@ -26,7 +26,7 @@ class ToolButton;
 class PlotPanel : public QWidget {
     Q_OBJECT
 public:
-    explicit PlotPanel(Studio& studio, QWidget* parent = nullptr);
+    explicit PlotPanel(ReviewContext& review, QWidget* parent = nullptr);
 
     /// For the Timeline below: same left extent, same right edge when both are equally wide.
     TimeWindow& window() { return window_; }
@@ -67,7 +67,7 @@ private:
     void chooseSomething();
     QString suggestedName(const QString& suffix) const;
 
-    Studio& studio_;
+    ReviewContext& review_;
     TimeWindow window_;
     PlotChannels channels_;
     SoundSource sound_;

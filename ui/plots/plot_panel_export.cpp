@@ -20,21 +20,21 @@ namespace {
 
 const QString kFolderKey = QStringLiteral("review/plot_folder");
 
-QString folderOf(Studio& studio) {
-    if (studio.session().isOpen())
-        return QString::fromStdString(studio.session().session().exportsFolder().string());
-    return studio.settings().value(kFolderKey, QDir::homePath()).toString();
+QString folderOf(ReviewContext& review) {
+    if (review.shared().session().isOpen())
+        return QString::fromStdString(review.shared().session().session().exportsFolder().string());
+    return review.shared().settings().value(kFolderKey, QDir::homePath()).toString();
 }
 
 /// The file dialog has asked before it replaces a file.
-void write(Studio& studio, const QString& path, std::string_view content) {
+void write(ReviewContext& review, const QString& path, std::string_view content) {
     const Status written = writeFileAtomically(path.toStdString(), content, true);
     if (!written) {
-        emit studio.failed(coreWords(written.error().message), coreWords(written.error().remedy));
+        emit review.shared().failed(coreWords(written.error().message), coreWords(written.error().remedy));
         return;
     }
-    studio.settings().setValue(kFolderKey, QFileInfo(path).absolutePath());
-    emit studio.said(QCoreApplication::translate("PlotPanel", "%1 is written").arg(path));
+    review.shared().settings().setValue(kFolderKey, QFileInfo(path).absolutePath());
+    emit review.shared().said(QCoreApplication::translate("PlotPanel", "%1 is written").arg(path));
 }
 
 }  // namespace
@@ -69,13 +69,13 @@ std::string PlotPanel::csv() const {
 }
 
 QString PlotPanel::suggestedName(const QString& suffix) const {
-    const QString take = QFileInfo(studio_.take().path()).completeBaseName();
-    return QDir(folderOf(studio_)).filePath(tr("%1_plots", "file name").arg(take) + suffix);
+    const QString take = QFileInfo(review_.take().path()).completeBaseName();
+    return QDir(folderOf(review_)).filePath(tr("%1_plots", "file name").arg(take) + suffix);
 }
 
 void PlotPanel::copyPicture() {
     QApplication::clipboard()->setImage(picture());
-    emit studio_.said(tr("The plots are on the clipboard"));
+    emit review_.shared().said(tr("The plots are on the clipboard"));
 }
 
 void PlotPanel::savePicture() {
@@ -88,12 +88,12 @@ void PlotPanel::savePicture() {
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
     picture().save(&buffer, "PNG");
-    write(studio_, path, {bytes.constData(), static_cast<size_t>(bytes.size())});
+    write(review_, path, {bytes.constData(), static_cast<size_t>(bytes.size())});
 }
 
 void PlotPanel::copyCsv() {
     QApplication::clipboard()->setText(QString::fromStdString(csv()));
-    emit studio_.said(tr("The values are on the clipboard"));
+    emit review_.shared().said(tr("The values are on the clipboard"));
 }
 
 void PlotPanel::saveCsv() {
@@ -101,7 +101,7 @@ void PlotPanel::saveCsv() {
         QFileDialog::getSaveFileName(this, tr("Save the values that are shown"),
                                      suggestedName(QStringLiteral(".csv")), tr("Table (*.csv)"));
     if (!path.isEmpty())
-        write(studio_, path, csv());
+        write(review_, path, csv());
 }
 
 }  // namespace noctule::ui

@@ -40,9 +40,9 @@ SoundSource::Sound soundOf(SoundWindow window) {
 
 }  // namespace
 
-SoundSource::SoundSource(Studio& studio, QObject* parent) : QObject(parent), studio_(studio) {
-    connect(&studio.take(), &TakeDocument::opened, this, &SoundSource::forget);
-    connect(&studio.take(), &TakeDocument::runsChanged, this, &SoundSource::forget);
+SoundSource::SoundSource(ReviewContext& review, QObject* parent) : QObject(parent), review_(review) {
+    connect(&review.take(), &TakeDocument::opened, this, &SoundSource::forget);
+    connect(&review.take(), &TakeDocument::runsChanged, this, &SoundSource::forget);
 }
 
 void SoundSource::forget() {
@@ -65,7 +65,7 @@ std::shared_ptr<const SoundSource::Sound> SoundSource::sound(int number, double 
     if (to_s - from_s > kSamples_s)
         return board.envelope;
     const bool covered = board.window && board.window->from_s <= from_s + 1e-3 &&
-                         board.window->to_s >= std::min(to_s, studio_.time().duration()) - 1e-3;
+                         board.window->to_s >= std::min(to_s, review_.time().duration()) - 1e-3;
     if (covered)
         return board.window;
     if (!board.window_job)
@@ -74,11 +74,11 @@ std::shared_ptr<const SoundSource::Sound> SoundSource::sound(int number, double 
 }
 
 void SoundSource::readEnvelope(int number) {
-    const double duration_s = studio_.time().duration();
+    const double duration_s = review_.time().duration();
     const int columns = std::clamp(static_cast<int>(duration_s * kColumnsPerSecond), 64, kMostColumns);
-    boards_[number].envelope_job = studio_.jobs().start<Sound>(
+    boards_[number].envelope_job = review_.shared().jobs().start<Sound>(
         tr("Reading the sound of board %1").arg(number + 1),
-        [view = studio_.take().view(), number, columns, duration_s](const JobContext& job) -> Result<Sound> {
+        [view = review_.take().view(), number, columns, duration_s](const JobContext& job) -> Result<Sound> {
             auto envelope = loadSoundEnvelope(view, number, columns, job);
             if (!envelope)
                 return envelope.error();
@@ -100,17 +100,17 @@ void SoundSource::readEnvelope(int number) {
 }
 
 void SoundSource::readWindow(int number, double from_s, double to_s) {
-    const auto overview = studio_.take().overview();
-    const int shown = studio_.take().shownRun();
+    const auto overview = review_.take().overview();
+    const int shown = review_.take().shownRun();
     std::optional<int64_t> range_run;
     if (overview && shown >= 0)
         range_run = overview->runs[static_cast<size_t>(shown)].settings.range_run;
     const double margin_s = (to_s - from_s) / 2;  // so that panning does not read at every step
     const double first_s = std::max(0.0, from_s - margin_s);
-    const double last_s = std::min(studio_.time().duration(), to_s + margin_s);
-    boards_[number].window_job = studio_.jobs().start<Sound>(
+    const double last_s = std::min(review_.time().duration(), to_s + margin_s);
+    boards_[number].window_job = review_.shared().jobs().start<Sound>(
         tr("Reading the sound of board %1").arg(number + 1),
-        [view = studio_.take().view(), number, first_s, last_s,
+        [view = review_.take().view(), number, first_s, last_s,
          range_run](const JobContext& job) -> Result<Sound> {
             auto window = loadSound(view, number, first_s, last_s, range_run, job);
             if (!window)

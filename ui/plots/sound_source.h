@@ -9,14 +9,14 @@
 #include <memory>
 
 #include "core/review/series.h"
-#include "ui/models/studio.h"
+#include "ui/models/review_context.h"
 
 namespace noctule::ui {
 
 class SoundSource : public QObject {
     Q_OBJECT
 public:
-    explicit SoundSource(Studio& studio, QObject* parent = nullptr);
+    explicit SoundSource(ReviewContext& review, QObject* parent = nullptr);
 
     /// Shorter windows than this show samples.
     static constexpr double kSamples_s = 3;
@@ -45,7 +45,7 @@ private:
     void readWindow(int board, double from_s, double to_s);
     void forget();
 
-    Studio& studio_;
+    ReviewContext& review_;
     std::map<int, Board> boards_;
     QString problem_;
     int generation_ = 0;  ///< results of an earlier take are dropped

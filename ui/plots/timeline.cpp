@@ -24,8 +24,8 @@ constexpr double kAbove = 4, kFoot = 9, kFootRow = 16, kBetweenRows = 8, kRuler 
 
 }  // namespace
 
-Timeline::Timeline(Studio& studio, TimeWindow& window, QWidget* parent)
-    : QWidget(parent), studio_(studio), window_(window), bars_(studio), repaint_([this] { showTime(); }) {
+Timeline::Timeline(ReviewContext& review, TimeWindow& window, QWidget* parent)
+    : QWidget(parent), review_(review), window_(window), bars_(review), repaint_([this] { showTime(); }) {
     TimelineAccessible::install();
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
@@ -36,21 +36,21 @@ Timeline::Timeline(Studio& studio, TimeWindow& window, QWidget* parent)
            "cursor, with Ctrl Left and Right the one before or after; I and O let it begin or end at the "
            "cursor, Ins sets one, Del deletes it"));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    TakeDocument& take = studio.take();
+    TakeDocument& take = review.take();
     for (const auto signal :
          {&TakeDocument::opened, &TakeDocument::runsChanged, &TakeDocument::motionChanged})
         connect(&take, signal, this, &Timeline::readTake);
-    connect(&studio.contacts(), &ContactEditor::changed, this, qOverload<>(&QWidget::update));
-    connect(&studio.changes(), &TakeChanges::written, this,
+    connect(&review.contacts(), &ContactEditor::changed, this, qOverload<>(&QWidget::update));
+    connect(&review.changes(), &TakeChanges::written, this,
             [this](const QString& path, const TakeChange& change) {
                 if (const auto* marker = std::get_if<MarkerChange>(&change);
-                    marker && path == studio_.take().path())
+                    marker && path == review_.take().path())
                     chooseWritten(*marker);
             });
     connect(&window, &TimeWindow::changed, this, [this] { repaint_.ask(); });
-    connect(&studio.time(), &TimeCursor::timeChanged, this, [this] { repaint_.ask(); });
-    connect(&studio.time(), &TimeCursor::rangeChanged, this, qOverload<>(&QWidget::update));
-    connect(&studio.time(), &TimeCursor::extentChanged, this, qOverload<>(&QWidget::update));
+    connect(&review.time(), &TimeCursor::timeChanged, this, [this] { repaint_.ask(); });
+    connect(&review.time(), &TimeCursor::rangeChanged, this, qOverload<>(&QWidget::update));
+    connect(&review.time(), &TimeCursor::extentChanged, this, qOverload<>(&QWidget::update));
     connect(&Theme::get(), &Theme::changed, this, [this] {
         updateGeometry();
         update();
@@ -59,8 +59,8 @@ Timeline::Timeline(Studio& studio, TimeWindow& window, QWidget* parent)
 }
 
 void Timeline::readTake() {
-    overview_ = studio_.take().overview();
-    studio_.contacts().contacts();  // asked for, they are loaded
+    overview_ = review_.take().overview();
+    review_.contacts().contacts();  // asked for, they are loaded
     followChosenMarker();
     update();
 }
@@ -69,13 +69,13 @@ void Timeline::showTime() {
     update();
     if (!QAccessible::isActive())
         return;
-    QAccessibleValueChangeEvent event(this, studio_.time().time());
+    QAccessibleValueChangeEvent event(this, review_.time().time());
     QAccessible::updateAccessibility(&event);
 }
 
 QString Timeline::valueText() const {
     const QString time = tr("%1 of %2", "time of the cursor, length of the take")
-                             .arg(timeText(studio_.time().time(), 2), timeText(studio_.time().duration(), 2));
+                             .arg(timeText(review_.time().time(), 2), timeText(review_.time().duration(), 2));
     return bars_.hasChosen() ? time + QStringLiteral("; ") + bars_.chosenWords() : time;
 }
 
@@ -118,11 +118,11 @@ double Timeline::timeAt(double x_px) const {
 }
 
 QPoint Timeline::inGrip() const {
-    return {qRound(xOf(studio_.time().in())), rows().ruler.center().y()};
+    return {qRound(xOf(review_.time().in())), rows().ruler.center().y()};
 }
 
 QPoint Timeline::outGrip() const {
-    return {qRound(xOf(studio_.time().out())), rows().ruler.center().y()};
+    return {qRound(xOf(review_.time().out())), rows().ruler.center().y()};
 }
 
 QPoint Timeline::rulerPoint(double t_s) const {
@@ -154,8 +154,8 @@ Timeline::Grip Timeline::gripAt(const QPoint& position) const {
     if (!window_.showsAll() && position.y() >= r.overview.top() - reach / 2)
         return Grip::kWindow;
     const bool on_ruler = position.y() >= r.ruler.top() - reach && position.y() <= r.ruler.bottom() + reach;
-    const double to_in = std::abs(position.x() - xOf(studio_.time().in()));
-    const double to_out = std::abs(position.x() - xOf(studio_.time().out()));
+    const double to_in = std::abs(position.x() - xOf(review_.time().in()));
+    const double to_out = std::abs(position.x() - xOf(review_.time().out()));
     if (on_ruler && std::min(to_in, to_out) <= reach)
         return to_in < to_out ? Grip::kIn : Grip::kOut;
     return Grip::kTime;
@@ -178,16 +178,16 @@ QString Timeline::tooltipAt(const QPoint& position) const {
         return contact;
     switch (gripAt(position)) {
         case Grip::kIn:
-            return tr("In, %1").arg(timeText(studio_.time().in(), 2));
+            return tr("In, %1").arg(timeText(review_.time().in(), 2));
         case Grip::kOut:
-            return tr("Out, %1").arg(timeText(studio_.time().out(), 2));
+            return tr("Out, %1").arg(timeText(review_.time().out(), 2));
         default:
             return {};
     }
 }
 
 void Timeline::dragTo(double x_px) {
-    TimeCursor& time = studio_.time();
+    TimeCursor& time = review_.time();
     switch (grip_) {
         case Grip::kTime:
             time.setTime(timeAt(x_px));
@@ -224,7 +224,7 @@ void Timeline::mousePressEvent(QMouseEvent* event) {
     grip_ = gripAt(event->pos());
     grip_offset_px_ = 0;
     if (grip_ == Grip::kIn || grip_ == Grip::kOut) {  // a press alone moves nothing
-        const double edge_s = grip_ == Grip::kIn ? studio_.time().in() : studio_.time().out();
+        const double edge_s = grip_ == Grip::kIn ? review_.time().in() : review_.time().out();
         grip_offset_px_ = xOf(edge_s) - event->localPos().x();
     } else {
         dragTo(event->localPos().x());
@@ -272,7 +272,7 @@ void Timeline::wheelEvent(QWheelEvent* event) {
 }
 
 void Timeline::keyPressEvent(QKeyEvent* event) {
-    TimeCursor& time = studio_.time();
+    TimeCursor& time = review_.time();
     if (bars_.key(*event)) {
         contactChosen();
         return window_.reveal(time.time());

@@ -7,7 +7,7 @@
 
 #include <QWidget>
 
-#include "ui/models/studio.h"
+#include "ui/models/review_context.h"
 #include "ui/plots/contact_bars.h"
 #include "ui/plots/repaint_limit.h"
 #include "ui/plots/time_window.h"
@@ -18,13 +18,13 @@ class Timeline : public QWidget {
     Q_OBJECT
 public:
     /// `window`: the plots' (PlotPanel::window()).
-    Timeline(Studio& studio, TimeWindow& window, QWidget* parent = nullptr);
+    Timeline(ReviewContext& review, TimeWindow& window, QWidget* parent = nullptr);
 
     int chosenMarker() const { return chosen_marker_; }  ///< index into overview()->markers, -1: none
     bool canEditMarker() const;                          ///< the chosen one
     /// "0:17.40 of 0:36", and the contact that is chosen: value for screen readers.
     QString valueText() const;
-    TimeCursor& time() const { return studio_.time(); }
+    TimeCursor& time() const { return review_.time(); }
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
@@ -95,7 +95,7 @@ private:
     void paintOverview(QPainter& painter, const Rows& rows) const;
     void paintCursor(QPainter& painter, const Rows& rows) const;
 
-    Studio& studio_;
+    ReviewContext& review_;
     TimeWindow& window_;
     std::shared_ptr<const TakeOverview> overview_;
     ContactBars bars_;

@@ -42,7 +42,7 @@ void Timeline::chooseMarker(int marker) {
     bars_.letGo();
     chosen_marker_ = marker;
     chosen_ = UserMarker{chosen.t_s, chosen.label};
-    studio_.time().setTime(chosen.t_s);
+    review_.time().setTime(chosen.t_s);
     update();
     emit chosenMarkerChanged();
 }
@@ -82,9 +82,9 @@ void Timeline::nameMarker() {
                 std::clamp(rows().ruler.top(), 0, std::max(0, height() - field->height())));
     // While a name is typed the take may be read anew, another marker chosen or another take opened.
     connect(field, &NameField::named, this,
-            [this, path = studio_.take().path(), named = *chosen_](const QString& name) {
-                if (studio_.take().path() == path)
-                    studio_.markers().rename(indexOf(named), name);
+            [this, path = review_.take().path(), named = *chosen_](const QString& name) {
+                if (review_.take().path() == path)
+                    review_.markers().rename(indexOf(named), name);
             });
     field->show();
     field->setFocus();
@@ -92,7 +92,7 @@ void Timeline::nameMarker() {
 
 void Timeline::deleteMarker() {
     if (canEditMarker())
-        studio_.markers().remove(chosen_marker_);
+        review_.markers().remove(chosen_marker_);
 }
 
 bool Timeline::editChosen(const QKeyEvent& event) {
@@ -148,9 +148,9 @@ bool Timeline::markerMenu(QMenu& menu, int marker) {
 void Timeline::goToMarker(int direction) {
     if (!overview_)
         return;
-    const double now_s = studio_.time().time();
+    const double now_s = review_.time().time();
     int best = -1;
-    double best_distance_s = studio_.time().duration() + 1;
+    double best_distance_s = review_.time().duration() + 1;
     for (size_t i = 0; i < overview_->markers.size(); ++i) {
         const double distance_s = (overview_->markers[i].t_s - now_s) * direction;
         if (distance_s > kOnMarker_s && distance_s < best_distance_s) {
@@ -161,7 +161,7 @@ void Timeline::goToMarker(int direction) {
     if (best < 0)
         return;
     chooseMarker(best);
-    window_.reveal(studio_.time().time());
+    window_.reveal(review_.time().time());
 }
 
 }  // namespace noctule::ui

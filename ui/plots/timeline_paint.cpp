@@ -43,7 +43,7 @@ void Timeline::paintRuler(QPainter& painter, const Rows& rows) const {
     painter.fillRect(ruler, theme.tokens().ctl);
     if (!overview_)
         return;
-    const TimeCursor& time = studio_.time();
+    const TimeCursor& time = review_.time();
     const auto inside = [&](double x) { return std::clamp(qRound(x), ruler.left(), ruler.right() + 1); };
     const int in = inside(xOf(time.in())), out = inside(xOf(time.out()));
     painter.fillRect(QRect(in, ruler.top(), out - in, ruler.height()), theme.tokens().sel);
@@ -117,7 +117,7 @@ void Timeline::paintMarkerName(QPainter& painter, const Rows& rows, size_t marke
     for (const ReviewMarker& other : overview_->markers)
         if (other.t_s > named.t_s)
             right = std::min(right, xOf(other.t_s));
-    for (const double grip_s : {studio_.time().in(), studio_.time().out()})
+    for (const double grip_s : {review_.time().in(), review_.time().out()})
         if (grip_s > named.t_s)
             right = std::min(right, xOf(grip_s) - theme.px(kGrip));
     const QFont font = theme.font(TextRole::kCaption);
@@ -137,7 +137,7 @@ void Timeline::paintOverview(QPainter& painter, const Rows& rows) const {
     const Theme& theme = Theme::get();
     const QRect& bar = rows.overview;
     painter.fillRect(bar, theme.tokens().line);
-    const double duration_s = std::max(studio_.time().duration(), TimeWindow::kShortest_s);
+    const double duration_s = std::max(review_.time().duration(), TimeWindow::kShortest_s);
     const double left = window_.from() / duration_s * bar.width();
     const double span = std::max<double>(theme.px(8), window_.span() / duration_s * bar.width());
     painter.fillRect(QRectF(bar.left() + std::min(left, bar.width() - span), bar.top(), span, bar.height()),
@@ -147,13 +147,13 @@ void Timeline::paintOverview(QPainter& painter, const Rows& rows) const {
 QRect Timeline::labelRect(const Rows& rows) const {
     const Theme& theme = Theme::get();
     const QFontMetrics metrics(theme.font(TextRole::kCaption, true));
-    const int label_width = metrics.horizontalAdvance(timeText(studio_.time().time(), 2)) + theme.px(10);
-    const int x = std::clamp(qRound(xOf(studio_.time().time())) - label_width / 2, 0, width() - label_width);
+    const int label_width = metrics.horizontalAdvance(timeText(review_.time().time(), 2)) + theme.px(10);
+    const int x = std::clamp(qRound(xOf(review_.time().time())) - label_width / 2, 0, width() - label_width);
     return {x, rows.labels.top() + theme.px(1), label_width, rows.labels.height() - theme.px(2)};
 }
 
 void Timeline::paintCursor(QPainter& painter, const Rows& rows) const {
-    const double t_s = studio_.time().time();
+    const double t_s = review_.time().time();
     if (t_s < window_.from() || t_s > window_.to())
         return;
     const Theme& theme = Theme::get();

@@ -30,8 +30,8 @@ QString speedText(double speed) {
 
 }  // namespace
 
-TransportBar::TransportBar(Studio& studio, Timeline& timeline, QWidget* parent)
-    : QWidget(parent), studio_(studio), timeline_(timeline) {
+TransportBar::TransportBar(ReviewContext& review, Timeline& timeline, QWidget* parent)
+    : QWidget(parent), review_(review), timeline_(timeline) {
     build();
     connectStudio();
     refreshRange();
@@ -89,13 +89,13 @@ void TransportBar::place() {
 }
 
 void TransportBar::connectStudio() {
-    TimeCursor& time = studio_.time();
+    TimeCursor& time = review_.time();
     connect(previous_, &QAbstractButton::clicked, this, [this] { timeline_.goToMarker(-1); });
     connect(next_, &QAbstractButton::clicked, this, [this] { timeline_.goToMarker(1); });
     connect(play_, &QAbstractButton::clicked, &time, &TimeCursor::toggle);
     connect(loop_, &QAbstractButton::clicked, &time, &TimeCursor::setLoop);
     connect(speed_, qOverload<int>(&QComboBox::activated), this,
-            [this](int index) { studio_.time().setSpeed(speed_->itemData(index).toDouble()); });
+            [this](int index) { review_.time().setSpeed(speed_->itemData(index).toDouble()); });
     connect(in_, &QAbstractButton::clicked, this, &TransportBar::setIn);
     connect(out_, &QAbstractButton::clicked, this, &TransportBar::setOut);
     connect(marker_, &QAbstractButton::clicked, this, &TransportBar::addMarker);
@@ -103,12 +103,12 @@ void TransportBar::connectStudio() {
     connect(&time, &TimeCursor::extentChanged, this, &TransportBar::refreshRange);
     connect(&time, &TimeCursor::playingChanged, this, &TransportBar::refreshPlaying);
     connect(&time, &TimeCursor::settingsChanged, this, &TransportBar::refreshSettings);
-    connect(&studio_.take(), &TakeDocument::opened, this, &TransportBar::refreshEnabled);
-    connect(&studio_.take(), &TakeDocument::motionChanged, this, &TransportBar::refreshRange);
+    connect(&review_.take(), &TakeDocument::opened, this, &TransportBar::refreshEnabled);
+    connect(&review_.take(), &TakeDocument::motionChanged, this, &TransportBar::refreshRange);
 }
 
 void TransportBar::refreshRange() {
-    const TimeCursor& time = studio_.time();
+    const TimeCursor& time = review_.time();
     const double length_s = time.out() - time.in();
     const auto frames = static_cast<qint64>(std::llround(length_s / time.frameStep()));
     length_->setText(tr("%1, %2 frames", "length between in and out", static_cast<int>(frames))
@@ -117,7 +117,7 @@ void TransportBar::refreshRange() {
 }
 
 void TransportBar::fitWords() {
-    const TimeCursor& time = studio_.time();
+    const TimeCursor& time = review_.time();
     const auto fits = [this](double at_100_percent) { return width() >= Theme::get().px(at_100_percent); };
     length_->setVisible(fits(kWithLength));
     speed_label_->setVisible(fits(kWithSpeedLabel));
@@ -139,13 +139,13 @@ QSize TransportBar::minimumSizeHint() const {
 }
 
 void TransportBar::refreshPlaying() {
-    const bool playing = studio_.time().isPlaying();
+    const bool playing = review_.time().isPlaying();
     play_->setMeaning(playing ? QStringLiteral("pause") : QStringLiteral("play"),
                       playing ? tr("Pause") : tr("Play"), Qt::Key_Space);
 }
 
 void TransportBar::refreshSettings() {
-    const TimeCursor& time = studio_.time();
+    const TimeCursor& time = review_.time();
     loop_->setChecked(time.loops());
     int nearest = 0;
     for (int i = 1; i < speed_->count(); ++i)
@@ -156,7 +156,7 @@ void TransportBar::refreshSettings() {
 }
 
 void TransportBar::refreshEnabled() {
-    const QString reason = studio_.take().isOpen() ? QString() : tr("Open a take first");
+    const QString reason = review_.take().isOpen() ? QString() : tr("Open a take first");
     for (ToolButton* button : {previous_, play_, next_, loop_})
         button->setDisabledBecause(reason);
     for (Button* button : {in_, out_, marker_})
@@ -164,23 +164,23 @@ void TransportBar::refreshEnabled() {
 }
 
 void TransportBar::setIn() {
-    TimeCursor& time = studio_.time();
+    TimeCursor& time = review_.time();
     time.setRange(time.time(), std::max(time.time(), time.out()));
 }
 
 void TransportBar::setOut() {
-    TimeCursor& time = studio_.time();
+    TimeCursor& time = review_.time();
     time.setRange(std::min(time.in(), time.time()), time.time());
 }
 
 void TransportBar::addMarker() {
-    studio_.markers().add(studio_.time().time());
+    review_.markers().add(review_.time().time());
 }
 
 bool TransportBar::handleKey(const QKeyEvent& event) {
-    if (!studio_.take().isOpen())
+    if (!review_.take().isOpen())
         return false;
-    TimeCursor& time = studio_.time();
+    TimeCursor& time = review_.time();
     const bool control = event.modifiers() & Qt::ControlModifier;
     if (stepTime(time, event))
         return true;

@@ -5,7 +5,7 @@
 
 #include <QWidget>
 
-#include "ui/models/studio.h"
+#include "ui/models/review_context.h"
 
 class QComboBox;
 
@@ -19,7 +19,7 @@ class ToolButton;
 class TransportBar : public QWidget {
     Q_OBJECT
 public:
-    TransportBar(Studio& studio, Timeline& timeline, QWidget* parent = nullptr);
+    TransportBar(ReviewContext& review, Timeline& timeline, QWidget* parent = nullptr);
 
     /// The keys of Review (Space, arrows, Home, End, comma, full stop, M, F2, Del, Ctrl+I, Ctrl+O, Ctrl+L).
     /// The page calls it from its keyPressEvent, where only those arrive that no text field or list wanted
@@ -48,7 +48,7 @@ private:
     void refreshSettings();
     void refreshEnabled();
 
-    Studio& studio_;
+    ReviewContext& review_;
     Timeline& timeline_;
     ToolButton *previous_ = nullptr, *play_ = nullptr, *next_ = nullptr, *loop_ = nullptr;
     Button *in_ = nullptr, *out_ = nullptr, *marker_ = nullptr;

@@ -35,14 +35,14 @@ void LiveScene::setCompany(int performer, std::vector<LiveCompanion> others) {
     bodies_.resize(others_.size());
 }
 
-void LiveScene::addOther(ComposedScene& composed, const LiveCompanion& other, size_t index, Studio& studio,
-                         const SceneLayers& layers, const SceneColors& colors) {
+void LiveScene::addOther(ComposedScene& composed, const LiveCompanion& other, size_t index,
+                         ReviewContext& review, const SceneLayers& layers, const SceneColors& colors) {
     if (!hasPose(other.wearer, other.frame))
         return;
     const Skeleton& skeleton = other.wearer.actor.skeleton;
     const Pose pose = inRow(*other.frame->pose->pose, other.performer);
     const BodyPlaces places = placeBody(skeleton, pose, other.wearer.suit, &*other.wearer.calibration);
-    const BodyLook look = studio.look();
+    const BodyLook look = review.shared().look();
     const bool has_mesh = layers.has(SceneLayer::kMesh) && (look.ours || look.worn);
     addShadow(composed.scene, colors, places);
     if (has_mesh)
@@ -64,7 +64,7 @@ void LiveScene::addPairs(ComposedScene& composed) const {
             composed.pairs.push_back({range->source, range->board, static_cast<float>(range->confidence())});
 }
 
-ComposedScene LiveScene::compose(Studio& studio, const SceneLayers& layers) {
+ComposedScene LiveScene::compose(ReviewContext& review, const SceneLayers& layers) {
     const SceneColors colors = SceneColors::of(Theme::get());
     ComposedScene composed;
     Scene& scene = composed.scene;
@@ -72,7 +72,7 @@ ComposedScene LiveScene::compose(Studio& studio, const SceneLayers& layers) {
     const Pose pose = has_pose ? inRow(*frame_->pose->pose, performer_) : Pose{};
     addRoom(scene, colors, layers, has_pose ? pose.p_world_root : Vector3d::Zero());
     for (size_t i = 0; i < others_.size(); ++i)
-        addOther(composed, others_[i], i, studio, layers, colors);
+        addOther(composed, others_[i], i, review, layers, colors);
     if (!has_pose)
         return composed;
     const Skeleton& skeleton = wearer_.actor.skeleton;
@@ -80,7 +80,7 @@ ComposedScene LiveScene::compose(Studio& studio, const SceneLayers& layers) {
     if (isInCompany())
         composed.tags.push_back({performer_, letterPlace(composed.places)});
     addShadow(scene, colors, composed.places);
-    const BodyLook look = studio.look();
+    const BodyLook look = review.shared().look();
     const bool has_mesh = layers.has(SceneLayer::kMesh) && (look.ours || look.worn);
     if (has_mesh)
         addSurface(scene, colors, body_.fit(look, skeleton, feetAtRest(skeleton)), pose, look.blending);
@@ -88,8 +88,8 @@ ComposedScene LiveScene::compose(Studio& studio, const SceneLayers& layers) {
         addSkeleton(scene, colors, composed.places, !has_mesh);
     addPairs(composed);
     if (layers.has(SceneLayer::kRays))
-        addRays(scene, composed.places, composed.pairs, studio.selection().source(),
-                studio.selection().board());
+        addRays(scene, composed.places, composed.pairs, review.selection().source(),
+                review.selection().board());
     if (layers.has(SceneLayer::kBoards))
         addSuit(scene, colors, composed.places);
     return composed;

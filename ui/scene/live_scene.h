@@ -41,11 +41,11 @@ public:
     void setFrame(std::shared_ptr<const LiveFrame> frame) { frame_ = std::move(frame); }
     const std::shared_ptr<const LiveFrame>& frame() const { return frame_; }
 
-    ComposedScene compose(Studio& studio, const SceneLayers& layers);
+    ComposedScene compose(ReviewContext& review, const SceneLayers& layers);
 
 private:
     void addPairs(ComposedScene& composed) const;
-    void addOther(ComposedScene& composed, const LiveCompanion& other, size_t index, Studio& studio,
+    void addOther(ComposedScene& composed, const LiveCompanion& other, size_t index, ReviewContext& review,
                   const SceneLayers& layers, const SceneColors& colors);
 
     LiveWearer wearer_;

@@ -20,8 +20,8 @@
 namespace noctule::ui {
 
 struct SceneView::Parts {
-    Parts(Studio& studio, Step of_step)
-        : step(of_step), layers(loadLayers(studio.settings(), of_step)), take(studio) {}
+    Parts(ReviewContext& review, Step of_step)
+        : step(of_step), layers(loadLayers(review.shared().settings(), of_step)), take(review) {}
 
     Step step;
     SceneLayers layers;

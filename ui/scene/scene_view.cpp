@@ -20,8 +20,8 @@ const QString kFigure = QStringLiteral("figure"), kLive = QStringLiteral("live")
 
 constexpr double kClockWidth = 300;  ///< at 100 percent
 
-bool isPlayed(Studio& studio) {
-    return studio.time().isPlaying();
+bool isPlayed(ReviewContext& review) {
+    return review.time().isPlaying();
 }
 
 /// The box of a body's joints and parts with its flesh, and with room for what covers the top of the picture.
@@ -35,8 +35,8 @@ Eigen::AlignedBox3d roomy(Eigen::AlignedBox3d box, double covered_share) {
 
 }  // namespace
 
-SceneView::SceneView(Studio& studio, QWidget* parent, Step step)
-    : QWidget(parent), studio_(studio), parts_(std::make_unique<Parts>(studio, step)) {
+SceneView::SceneView(ReviewContext& review, QWidget* parent, Step step)
+    : QWidget(parent), review_(review), parts_(std::make_unique<Parts>(review, step)) {
     installSceneAccessibility();
     setAccessibleName(tr("3D view"));
     setFocusPolicy(Qt::StrongFocus);
@@ -100,14 +100,14 @@ void SceneView::connectTools() {
         emit viewChanged();
     });
     const QString view_key = settingsGroup(parts_->step) + QStringLiteral("/view");
-    const auto kept = static_cast<CameraView>(studio_.settings().value(view_key, 0).toInt());
+    const auto kept = static_cast<CameraView>(review_.shared().settings().value(view_key, 0).toInt());
     Camera camera = parts_->control->camera();
     camera.setView(kept);
     parts_->control->setCamera(camera, kept);
 }
 
 void SceneView::followStudio() {
-    TakeDocument& take = studio_.take();
+    TakeDocument& take = review_.take();
     const auto renew = [this] {
         updateMessage();
         refresh();
@@ -116,18 +116,18 @@ void SceneView::followStudio() {
     connect(&take, &TakeDocument::runsChanged, this, renew);
     connect(&take, &TakeDocument::motionChanged, this, renew);
     connect(&take, &TakeDocument::rangesChanged, this, renew);
-    connect(&studio_.time(), &TimeCursor::timeChanged, this, [this] {
+    connect(&review_.time(), &TimeCursor::timeChanged, this, [this] {
         if (parts_->canvas)
             parts_->canvas->refresh(true);  // where the cursor moves once, it mostly moves on
     });
-    connect(&studio_.time(), &TimeCursor::playingChanged, this, &SceneView::refresh);
-    connect(&studio_.selection(), &Selection::pairChanged, this, &SceneView::refresh);
+    connect(&review_.time(), &TimeCursor::playingChanged, this, &SceneView::refresh);
+    connect(&review_.selection(), &Selection::pairChanged, this, &SceneView::refresh);
     connect(&Theme::get(), &Theme::changed, this, [this] {
         layOut();
         refresh();
     });
-    studio_.whenBodyIsThere(this, [this] { refresh(); });
-    connect(&studio_.shownBody(), &ShownBody::changed, this, [this] {
+    review_.shared().whenBodyIsThere(this, [this] { refresh(); });
+    connect(&review_.shared().shownBody(), &ShownBody::changed, this, [this] {
         if (parts_->untouched)
             parts_->framed.clear();
         refresh();
@@ -170,7 +170,8 @@ void SceneView::resizeEvent(QResizeEvent*) {
 }
 
 void SceneView::showEvent(QShowEvent*) {
-    const QString navigation = studio_.settings().value(QStringLiteral("scene/navigation")).toString();
+    const QString navigation =
+        review_.shared().settings().value(QStringLiteral("scene/navigation")).toString();
     parts_->control->setNavigation(navigation == QLatin1String("maya") ? Navigation::kMaya
                                                                        : Navigation::kBlender);
     layOut();
@@ -179,10 +180,10 @@ void SceneView::showEvent(QShowEvent*) {
 
 const Scene& SceneView::compose() {
     Parts& parts = *parts_;
-    parts.composed = parts.figure ? parts.figure->compose(parts.layers, studio_.body())
-                     : parts.live ? parts.live->compose(studio_, parts.layers)
+    parts.composed = parts.figure ? parts.figure->compose(parts.layers, review_.shared().body())
+                     : parts.live ? parts.live->compose(review_, parts.layers)
                                   : parts.take.compose(parts.layers);
-    const QString shown = parts.figure ? kFigure : parts.live ? kLive : studio_.take().path();
+    const QString shown = parts.figure ? kFigure : parts.live ? kLive : review_.take().path();
     if (parts.composed.hasBody() && parts.framed != shown) {
         parts.framed = shown;
         parts.followed_m.reset();
@@ -192,7 +193,7 @@ const Scene& SceneView::compose() {
     keepFollowing();
     if (!parts.figure && callout()) {
         const BodyPlaces& places = parts.composed.places;
-        const int board = studio_.selection().board(), source = studio_.selection().source();
+        const int board = review_.selection().board(), source = review_.selection().source();
         const bool has_board = board >= 0 && board < static_cast<int>(places.boards.size());
         const Vector3d at = has_board ? places.boards[static_cast<size_t>(board)].p_m
                                       : places.sources[static_cast<size_t>(source)].p_m;
@@ -208,7 +209,7 @@ Eigen::AlignedBox3d SceneView::bodyBox() const {
     const double covered = parts_->tools->geometry().bottom() / std::max(1.0, 1.0 * height());
     Eigen::AlignedBox3d box = parts_->composed.places.box();
     box.extend(parts_->composed.others);
-    if (studio_.look().worn)  // whose head may be far larger than its bones say
+    if (review_.shared().look().worn)  // whose head may be far larger than its bones say
         for (const SceneBody& body : parts_->composed.scene.bodies)
             for (const Eigen::Vector3f& p_m : skinned(*body.mesh, body.skin, body.blending).points_m)
                 box.extend(p_m.cast<double>());
@@ -234,7 +235,7 @@ void SceneView::keepFollowing() {
 
 void SceneView::refresh() {
     if (parts_->canvas)
-        parts_->canvas->refresh(isPlayed(studio_) || parts_->control->isMoving());
+        parts_->canvas->refresh(isPlayed(review_) || parts_->control->isMoving());
 }
 
 void SceneView::updateOverlay(quint64 number) {
@@ -250,7 +251,7 @@ void SceneView::updateOverlay(quint64 number) {
             at = parts.composed.scene.gizmo->p_m.cast<double>();
     } else {
         if (!parts.live)
-            content.legends = takeLegends(studio_.take(), parts.composed, parts.layers);
+            content.legends = takeLegends(review_.take(), parts.composed, parts.layers);
         content.has_rays = !parts.composed.scene.rays.empty();
         content.callout = callout();
         if (!parts.composed.scene.rings.empty())
@@ -302,14 +303,14 @@ void SceneView::setFollow(bool follow) {
 
 void SceneView::changeLayers() {
     parts_->tools->setLayers(parts_->layers);
-    saveLayers(studio_.settings(), parts_->step, parts_->layers);
+    saveLayers(review_.shared().settings(), parts_->step, parts_->layers);
     refresh();
     emit layersChanged();
 }
 
 void SceneView::keepCamera() {
-    studio_.settings().setValue(settingsGroup(parts_->step) + QStringLiteral("/view"),
-                                static_cast<int>(view()));
+    review_.shared().settings().setValue(settingsGroup(parts_->step) + QStringLiteral("/view"),
+                                         static_cast<int>(view()));
 }
 
 void SceneView::setView(CameraView view) {
@@ -357,7 +358,7 @@ QString SceneView::descriptionInWords() const {
     if (!parts_->composed.hasBody())
         return whyNoBody();
     return parts_->live ? liveDescription(parts_->composed, callout())
-                        : takeDescription(studio_, parts_->composed, callout());
+                        : takeDescription(review_, parts_->composed, callout());
 }
 
 void SceneView::exportPicture() {
@@ -367,10 +368,10 @@ void SceneView::exportPicture() {
     if (path.isEmpty())
         return;
     if (picture(2).save(path, "PNG"))
-        emit studio_.said(tr("Picture written: %1").arg(path));
+        emit review_.shared().said(tr("Picture written: %1").arg(path));
     else
-        emit studio_.failed(tr("The picture could not be written to %1.").arg(path),
-                            tr("Free space on the disk or choose another folder."));
+        emit review_.shared().failed(tr("The picture could not be written to %1.").arg(path),
+                                     tr("Free space on the disk or choose another folder."));
 }
 
 }  // namespace noctule::ui

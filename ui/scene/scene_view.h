@@ -15,7 +15,7 @@
 #include "core/render/camera.h"
 #include "core/render/scene.h"
 #include "core/suit/suit.h"
-#include "ui/models/studio.h"
+#include "ui/models/review_context.h"
 #include "ui/scene/live_scene.h"
 #include "ui/scene/scene_layers.h"
 #include "ui/scene/suit_part.h"
@@ -28,7 +28,7 @@ class SceneView : public QWidget {
     Q_OBJECT
 public:
     /// `step`: under which the choice of layers and the camera are kept.
-    explicit SceneView(Studio& studio, QWidget* parent = nullptr, Step step = Step::kReview);
+    explicit SceneView(ReviewContext& review, QWidget* parent = nullptr, Step step = Step::kReview);
     ~SceneView() override;
 
     bool isShown(SceneLayer layer) const;
@@ -121,7 +121,7 @@ private:
     bool actOnKey(const QKeyEvent& event);
     bool nudge(const QKeyEvent& event);
 
-    Studio& studio_;
+    ReviewContext& review_;
     std::unique_ptr<Parts> parts_;
 };
 

@@ -131,7 +131,7 @@ void SceneView::pick(const QPointF& at) {
         emit partChosen(part);
         return;
     }
-    Selection& selection = studio_.selection();
+    Selection& selection = review_.selection();
     if (part.kind == SuitPart::Kind::kBoard)
         selection.setPair(selection.source(), part.index);
     else if (part.kind == SuitPart::Kind::kSource)

@@ -9,20 +9,20 @@
 namespace noctule::ui {
 
 QString SceneView::whyNoBody() const {
-    return parts_->live ? whyEmpty(*parts_->live) : whyEmpty(studio_);
+    return parts_->live ? whyEmpty(*parts_->live) : whyEmpty(review_);
 }
 
 /// Null: nothing is shown that has one.
 const Suit* SceneView::shownSuit() const {
     if (parts_->live)
         return &parts_->live->wearer().suit;
-    return studio_.take().pairSuit().get();
+    return review_.take().pairSuit().get();
 }
 
 std::optional<SceneCallout> SceneView::callout() const {
     const Suit* suit = shownSuit();
-    const bool has_ranges = parts_->live || studio_.take().ranges();
-    return suit ? partCallout(*suit, studio_.selection(), parts_->composed, has_ranges) : std::nullopt;
+    const bool has_ranges = parts_->live || review_.take().ranges();
+    return suit ? partCallout(*suit, review_.selection(), parts_->composed, has_ranges) : std::nullopt;
 }
 
 void SceneView::setFigure(const Actor& actor, const Suit& suit) {
@@ -119,7 +119,7 @@ void SceneView::setChosenPart(SuitPart part) {
 void SceneView::extendByMotion(Eigen::AlignedBox3d& box) const {
     constexpr size_t kLooks = 200;
     constexpr double kFarthest_m = 4;  // over a longer way the body would be a dot
-    const auto motion = studio_.take().shownMotion();
+    const auto motion = review_.take().shownMotion();
     if (!motion)
         return;
     Eigen::AlignedBox3d reached;

@@ -83,11 +83,11 @@ std::optional<SceneCallout> figureCallout(const FigureScene& figure) {
                         kHandles_px};
 }
 
-QString takeDescription(Studio& studio, const ComposedScene& composed,
+QString takeDescription(ReviewContext& review, const ComposedScene& composed,
                         const std::optional<SceneCallout>& callout) {
     if (!composed.hasBody())
-        return whyEmpty(studio);
-    const QString time = timeText(studio.time().time());
+        return whyEmpty(review);
+    const QString time = timeText(review.time().time());
     const QString words = composed.pair_count == 0 ? SceneWords::tr("Body at %1").arg(time)
                                                    : SceneWords::tr("Body at %1, %2 of %3 pairs good")
                                                          .arg(time)
@@ -119,8 +119,8 @@ QString whyEmpty(const LiveScene& live) {
     return SceneWords::tr("The live body appears here with the suit's first pose.");
 }
 
-QString whyEmpty(Studio& studio) {
-    TakeDocument& take = studio.take();
+QString whyEmpty(ReviewContext& review) {
+    TakeDocument& take = review.take();
     if (!take.isOpen())
         return SceneWords::tr("The body of the take that you open appears here.");
     if (take.shownRun() == -1)

@@ -20,13 +20,13 @@ std::optional<SceneCallout> partCallout(const Suit& suit, const Selection& selec
                                         const ComposedScene& composed, bool has_ranges);
 std::optional<SceneCallout> figureCallout(const FigureScene& figure);
 /// "Body at 0:17.4, 57 of 144 pairs good"
-QString takeDescription(Studio& studio, const ComposedScene& composed,
+QString takeDescription(ReviewContext& review, const ComposedScene& composed,
                         const std::optional<SceneCallout>& callout);
 /// "Live body, 57 of 144 pairs good"
 QString liveDescription(const ComposedScene& composed, const std::optional<SceneCallout>& callout);
 QString figureDescription(const FigureScene& figure);
 /// Why there is no body to see; empty when there is one or it is coming.
-QString whyEmpty(Studio& studio);
+QString whyEmpty(ReviewContext& review);
 QString whyEmpty(const LiveScene& live);
 
 /// "46 mm ±5"; from a metre on "1.27 m ±0.01". The error is one sigma.

@@ -78,7 +78,7 @@ std::optional<Pose> TakeScene::Track::at(double t_s) const {
 }
 
 void TakeScene::addPairs(ComposedScene& composed, double t_s) {
-    const auto ranges = studio_.take().ranges();
+    const auto ranges = review_.take().ranges();
     if (!ranges)
         return;
     const int sources = std::min(ranges->source_count, static_cast<int>(composed.places.sources.size()));
@@ -111,7 +111,7 @@ void TakeScene::addTrails(ComposedScene& composed, const SceneColors& colors, do
 }
 
 void TakeScene::addContacts(ComposedScene& composed, const SceneColors& colors, double t_s) {
-    const auto feet = studio_.take().contacts();
+    const auto feet = review_.take().contacts();
     if (!feet)
         return;
     const Skeleton& skeleton = shown_.motion->skeleton;
@@ -135,11 +135,11 @@ void TakeScene::addContacts(ComposedScene& composed, const SceneColors& colors, 
 }
 
 void TakeScene::addCompared(ComposedScene& composed, const SceneColors& colors, double t_s) {
-    compared_.follow(studio_.take().comparedMotion(), studio_.take().contacts());
+    compared_.follow(review_.take().comparedMotion(), review_.take().contacts());
     const auto pose = compared_.at(t_s);
     if (!pose)
         return;
-    const BodyLook look = studio_.look();
+    const BodyLook look = review_.shared().look();
     addGhost(composed.scene, colors, compared_.body.fit(look, compared_.motion->skeleton, compared_.feet),
              *pose, look.blending);
     composed.has_ghost = true;
@@ -147,10 +147,10 @@ void TakeScene::addCompared(ComposedScene& composed, const SceneColors& colors, 
 
 void TakeScene::addDistance(ComposedScene& composed, int other, const Skeleton& skeleton,
                             const BodyPlaces& places, double t_s) {
-    const bool other_is_later = other > studio_.take().subject();
+    const bool other_is_later = other > review_.take().subject();
     const Skeleton& shown = shown_.motion->skeleton;
-    const auto tracks = studio_.take().betweenTracks(std::min(other, studio_.take().subject()),
-                                                     std::max(other, studio_.take().subject()));
+    const auto tracks = review_.take().betweenTracks(std::min(other, review_.take().subject()),
+                                                     std::max(other, review_.take().subject()));
     for (const auto& [one, two] : kComparedEnds) {
         const int of_shown = shown.find(other_is_later ? one : two),
                   of_other = skeleton.find(other_is_later ? two : one);
@@ -171,9 +171,9 @@ void TakeScene::addDistance(ComposedScene& composed, int other, const Skeleton& 
 
 void TakeScene::addOthers(ComposedScene& composed, const SceneLayers& layers, const SceneColors& colors,
                           double t_s) {
-    TakeDocument& take = studio_.take();
+    TakeDocument& take = review_.take();
     others_.resize(take.subjects().size());
-    const BodyLook look = studio_.look();
+    const BodyLook look = review_.shared().look();
     const bool has_mesh = layers.has(SceneLayer::kMesh) && (look.ours || look.worn);
     for (int i = 0; i < static_cast<int>(others_.size()); ++i) {
         Track& other = others_[static_cast<size_t>(i)];
@@ -201,7 +201,7 @@ void TakeScene::addOthers(ComposedScene& composed, const SceneLayers& layers, co
 
 /// What the rays of the room's anchors begin at.
 void TakeScene::placeAnchors(ComposedScene& composed, const Pose& pose) {
-    const TakeDocument& take = studio_.take();
+    const TakeDocument& take = review_.take();
     if (take.sourcesOf() < static_cast<int>(take.subjects().size()))
         return;
     const TakeParty& room = take.overview()->parties[static_cast<size_t>(take.sourcesOf())];
@@ -211,8 +211,8 @@ void TakeScene::placeAnchors(ComposedScene& composed, const Pose& pose) {
 ComposedScene TakeScene::compose(const SceneLayers& layers) {
     const SceneColors colors = SceneColors::of(Theme::get());
     ComposedScene composed;
-    TakeDocument& take = studio_.take();
-    const double t_s = studio_.time().time();
+    TakeDocument& take = review_.take();
+    const double t_s = review_.time().time();
     const auto overview = take.overview();
     composed.subject = subject_;
     const bool is_shown = subject_ == SceneSubject::kShown;
@@ -221,7 +221,7 @@ ComposedScene TakeScene::compose(const SceneLayers& layers) {
     else
         shown_.follow(nullptr, nullptr);
     const auto pose = shown_.at(t_s);
-    const BodyLook look = studio_.look();
+    const BodyLook look = review_.shared().look();
     const bool has_mesh = layers.has(SceneLayer::kMesh) && (look.ours || look.worn);
     Scene& scene = composed.scene;
     if (pose)
@@ -252,8 +252,8 @@ ComposedScene TakeScene::compose(const SceneLayers& layers) {
     if (is_shown)
         addPairs(composed, t_s);
     if (layers.has(SceneLayer::kRays))
-        addRays(scene, composed.places, composed.pairs, studio_.selection().source(),
-                studio_.selection().board());
+        addRays(scene, composed.places, composed.pairs, review_.selection().source(),
+                review_.selection().board());
     if (layers.has(SceneLayer::kBoards))
         addSuit(scene, colors, composed.places);
     return composed;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/motion/timed_poses.h"
-#include "ui/models/studio.h"
+#include "ui/models/review_context.h"
 #include "ui/scene/dressed_body.h"
 
 namespace noctule::ui {
@@ -44,7 +44,7 @@ struct ComposedScene {
 
 class TakeScene {
 public:
-    explicit TakeScene(Studio& studio) : studio_(studio) {}
+    explicit TakeScene(ReviewContext& review) : review_(review) {}
 
     void setSubject(SceneSubject subject) { subject_ = subject; }
 
@@ -75,7 +75,7 @@ private:
     void addOthers(ComposedScene& composed, const SceneLayers& layers, const SceneColors& colors, double t_s);
     void addCompared(ComposedScene& composed, const SceneColors& colors, double t_s);
 
-    Studio& studio_;
+    ReviewContext& review_;
     SceneSubject subject_ = SceneSubject::kShown;
     Track shown_, compared_;
     std::vector<Track> others_;  ///< by subject; the shown one's stays empty

@@ -8,7 +8,7 @@
 #include <QPointer>
 #include <QProcess>
 
-#include "ui/models/studio.h"
+#include "ui/models/shared_context.h"
 
 namespace noctule::ui {
 namespace {
@@ -20,24 +20,24 @@ struct FolderWords {
     Q_DECLARE_TR_FUNCTIONS(noctule::ui::ShowFolder)
 };
 
-void tellNoManager(Studio& studio, const QString& folder) {
-    emit studio.failed(FolderWords::tr("No file manager could be started"),
+void tellNoManager(SharedContext& shared, const QString& folder) {
+    emit shared.failed(FolderWords::tr("No file manager could be started"),
                        FolderWords::tr("The folder is %1. Open it by hand, or install a file manager.")
                            .arg(QDir::toNativeSeparators(folder)));
 }
 
 }  // namespace
 
-void showFolder(Studio& studio, const QString& folder) {
+void showFolder(SharedContext& shared, const QString& folder) {
     if (!QDir(folder).exists()) {
-        emit studio.failed(FolderWords::tr("%1 is not there").arg(QDir::toNativeSeparators(folder)),
+        emit shared.failed(FolderWords::tr("%1 is not there").arg(QDir::toNativeSeparators(folder)),
                            FolderWords::tr("It may have been moved, or its disk is not connected."));
         return;
     }
     auto* opener = new QProcess;
     QElapsedTimer clock;
     clock.start();
-    const QPointer<Studio> told(&studio);
+    const QPointer<SharedContext> told(&shared);
     QObject::connect(opener, &QProcess::errorOccurred, opener, [=](QProcess::ProcessError error) {
         if (error == QProcess::FailedToStart && told)
             tellNoManager(*told, folder);

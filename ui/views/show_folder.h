@@ -7,8 +7,8 @@
 
 namespace noctule::ui {
 
-class Studio;
+class SharedContext;
 
-void showFolder(Studio& studio, const QString& folder);
+void showFolder(SharedContext& shared, const QString& folder);
 
 }  // namespace noctule::ui

@@ -67,10 +67,10 @@ SuitStateWords suitStateWords(LiveSuits& suits, const SuitInUse& worn) {
     return words;
 }
 
-SuitCards::SuitCards(Studio& studio, QWidget* parent)
-    : QWidget(parent), studio_(studio), column_(makeColumn(this, {}, 8)) {
-    connect(&studio.suits(), &LiveSuits::changed, this, &SuitCards::refresh);
-    studio.suits().forEach(this, [this](SuitInUse& worn) {
+SuitCards::SuitCards(CaptureContext& capture, QWidget* parent)
+    : QWidget(parent), capture_(capture), column_(makeColumn(this, {}, 8)) {
+    connect(&capture.suits(), &LiveSuits::changed, this, &SuitCards::refresh);
+    capture.suits().forEach(this, [this](SuitInUse& worn) {
         connect(&worn.check, &SuitCheck::changed, this, &SuitCards::refresh);
     });
     refresh();
@@ -81,7 +81,7 @@ void SuitCards::showEvent(QShowEvent*) {
 }
 
 void SuitCards::refresh() {
-    LiveSuits& suits = studio_.suits();
+    LiveSuits& suits = capture_.suits();
     const auto connected = suits.areSeveral() ? suits.connected() : std::vector<SuitInUse*>();
     words_.clear();
     for (const SuitInUse* worn : connected)
@@ -96,8 +96,8 @@ void SuitCards::refresh() {
         cards_.push_back(new SuitStateCard);
         column_->insertWidget(static_cast<int>(index), cards_.back());
         connect(cards_.back(), &SuitStateCard::showWanted, this, [this, index] {
-            if (const auto all = studio_.suits().connected(); index < all.size())
-                studio_.suits().setCurrent(*all[index]);
+            if (const auto all = capture_.suits().connected(); index < all.size())
+                capture_.suits().setCurrent(*all[index]);
         });
     }
     for (size_t i = 0; i < words_.size(); ++i)
@@ -107,7 +107,7 @@ void SuitCards::refresh() {
 }
 
 void SuitCards::showApart() {
-    const auto why = studio_.suits().areSeveral() ? studio_.suits().whyNotTogether() : std::nullopt;
+    const auto why = capture_.suits().areSeveral() ? capture_.suits().whyNotTogether() : std::nullopt;
     const QString title = why ? coreWords(why->message) : QString();
     if (title == (apart_ ? apart_->title() : QString()))
         return;

@@ -7,7 +7,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "ui/models/studio.h"
+#include "ui/models/capture_context.h"
 #include "ui/style/ink.h"
 
 class QVBoxLayout;
@@ -32,7 +32,7 @@ SuitStateWords suitStateWords(LiveSuits& suits, const SuitInUse& worn);
 class SuitCards : public QWidget {
     Q_OBJECT
 public:
-    explicit SuitCards(Studio& studio, QWidget* parent = nullptr);
+    explicit SuitCards(CaptureContext& capture, QWidget* parent = nullptr);
 
     const std::vector<SuitStateWords>& words() const { return words_; }
     const std::vector<SuitStateCard*>& cards() const { return cards_; }
@@ -46,7 +46,7 @@ private:
     void refresh();
     void showApart();
 
-    Studio& studio_;
+    CaptureContext& capture_;
     QVBoxLayout* column_;
     std::vector<SuitStateCard*> cards_;
     std::vector<SuitStateWords> words_;

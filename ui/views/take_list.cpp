@@ -30,8 +30,8 @@ QStringList takeFiles(const QMimeData& dragged) {
 
 }  // namespace
 
-TakeList::TakeList(Studio& studio, QWidget* parent)
-    : QListView(parent), studio_(studio), takes_(new TakeListModel(studio, this)) {
+TakeList::TakeList(ReviewContext& review, QWidget* parent)
+    : QListView(parent), review_(review), takes_(new TakeListModel(review, this)) {
     setModel(takes_);
     setItemDelegate(new TakeDelegate(this));
     setFrameShape(NoFrame);
@@ -47,8 +47,8 @@ TakeList::TakeList(Studio& studio, QWidget* parent)
         if (!std::exchange(rates_, false))
             openTake(index.row());
     });
-    connect(&studio.take(), &TakeDocument::opened, this, &TakeList::chooseOpen);
-    connect(&studio.session(), &SessionModel::opened, viewport(), QOverload<>::of(&QWidget::update));
+    connect(&review.take(), &TakeDocument::opened, this, &TakeList::chooseOpen);
+    connect(&review.shared().session(), &SessionModel::opened, viewport(), QOverload<>::of(&QWidget::update));
     connect(takes_, &QAbstractItemModel::modelReset, this, &TakeList::chooseOpen);
     connect(&Theme::get(), &Theme::changed, this, [this] { doItemsLayout(), updateGeometry(); });
     chooseOpen();
@@ -63,15 +63,15 @@ void TakeList::chooseOpen() {
 void TakeList::openTake(int row) {
     const SessionTake& take = takes_->take(row);
     if (take.state == TakeState::kDamaged) {
-        emit studio_.failed(
+        emit review_.shared().failed(
             tr("%1 cannot be opened: %2").arg(QString::fromStdString(take.name), coreWords(take.problem)),
             tr("The file stays where it is; nothing in it is changed."));
         return;
     }
-    const QString path = studio_.session().takePath(row);
-    studio_.session().setCurrentTake(row);
-    if (row != takes_->openRow() && studio_.take().path() != path)
-        studio_.take().open(path);
+    const QString path = review_.shared().session().takePath(row);
+    review_.shared().session().setCurrentTake(row);
+    if (row != takes_->openRow() && review_.take().path() != path)
+        review_.take().open(path);
 }
 
 void TakeList::rename(int row) {
@@ -92,9 +92,9 @@ void TakeList::keyPressEvent(QKeyEvent* event) {
     const int rating = event->key() - Qt::Key_0;
     const bool plain = (event->modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
     if (plain && rating >= 0 && rating <= 5 && currentIndex().isValid())
-        studio_.session().rate(currentIndex().row(), rating);
+        review_.shared().session().rate(currentIndex().row(), rating);
     else if (plain && event->key() == Qt::Key_Delete && currentIndex().isValid())
-        studio_.session().trashTake(currentIndex().row());
+        review_.shared().session().trashTake(currentIndex().row());
     else if (plain && event->key() == Qt::Key_F2 && currentIndex().isValid())
         rename(currentIndex().row());
     else if (event->key() == Qt::Key_Space || event->key() == Qt::Key_Left || event->key() == Qt::Key_Right ||
@@ -114,7 +114,8 @@ void TakeList::mousePressEvent(QMouseEvent* event) {
     const auto rating = TakeDelegate::ratingAt(visualRect(index), event->pos());
     rates_ = rating.has_value();
     if (rating)
-        studio_.session().rate(index.row(), *rating == takes_->take(index.row()).rating ? 0 : *rating);
+        review_.shared().session().rate(index.row(),
+                                        *rating == takes_->take(index.row()).rating ? 0 : *rating);
 }
 
 void TakeList::contextMenuEvent(QContextMenuEvent* event) {
@@ -130,12 +131,13 @@ void TakeList::showMenu(const QModelIndex& index, const QPoint& global) {
     const int row = index.row();
     menu.addAction(tr("Open"), this, [this, row] { openTake(row); });
     if (canRecover(row))
-        menu.addAction(tr("Recover"), this, [this, row] { studio_.session().recover(row); });
+        menu.addAction(tr("Recover"), this, [this, row] { review_.shared().session().recover(row); });
     menu.addAction(tr("Rename"), this, [this, row] { rename(row); })->setShortcut(Qt::Key_F2);
     QMenu* rating = menu.addMenu(tr("Rating"));
     for (int stars = 0; stars <= 5; ++stars) {
-        QAction* action = rating->addAction(stars == 0 ? tr("None") : tr("%n stars", nullptr, stars),
-                                            [this, row, stars] { studio_.session().rate(row, stars); });
+        QAction* action =
+            rating->addAction(stars == 0 ? tr("None") : tr("%n stars", nullptr, stars),
+                              [this, row, stars] { review_.shared().session().rate(row, stars); });
         action->setCheckable(true);
         action->setChecked(stars == takes_->take(row).rating);
         action->setShortcut(QKeySequence(Qt::Key_0 + stars));
@@ -147,7 +149,7 @@ void TakeList::showMenu(const QModelIndex& index, const QPoint& global) {
     menu.addAction(tr("Show in folder"), this, [this, row] { showInFolder(row); });
     menu.addSeparator();
     QAction* trash =
-        menu.addAction(tr("Move to trash"), this, [this, row] { studio_.session().trashTake(row); });
+        menu.addAction(tr("Move to trash"), this, [this, row] { review_.shared().session().trashTake(row); });
     trash->setShortcut(QKeySequence::Delete);
     menu.exec(global);
 }
@@ -156,16 +158,16 @@ void TakeList::showMenu(const QModelIndex& index, const QPoint& global) {
 bool TakeList::canRecover(int row) const {
     return takes_->take(row).state == TakeState::kRecording &&
            !SessionMarker::isOpenElsewhere(
-               QString::fromStdString(studio_.session().session().folder.string()));
+               QString::fromStdString(review_.shared().session().session().folder.string()));
 }
 
 void TakeList::showInFolder(int row) {
-    const QFileInfo take(studio_.session().takePath(row));
-    showFolder(studio_, take.path());
+    const QFileInfo take(review_.shared().session().takePath(row));
+    showFolder(review_.shared(), take.path());
 }
 
 void TakeList::dragEnterEvent(QDragEnterEvent* event) {
-    if (studio_.session().isOpen() && !takeFiles(*event->mimeData()).isEmpty())
+    if (review_.shared().session().isOpen() && !takeFiles(*event->mimeData()).isEmpty())
         event->acceptProposedAction();
 }
 
@@ -176,7 +178,7 @@ void TakeList::dragMoveEvent(QDragMoveEvent* event) {
 void TakeList::dropEvent(QDropEvent* event) {
     event->setDropAction(Qt::CopyAction);
     event->accept();
-    studio_.session().importTakes(takeFiles(*event->mimeData()));
+    review_.shared().session().importTakes(takeFiles(*event->mimeData()));
 }
 
 void TakeList::paintEvent(QPaintEvent* event) {
@@ -187,11 +189,12 @@ void TakeList::paintEvent(QPaintEvent* event) {
     painter.setFont(Theme::get().font(TextRole::kSecondary));
     painter.setPen(Theme::get().tokens().t3);
     const int inset = Theme::get().px(12);
-    painter.drawText(
-        viewport()->rect().adjusted(inset, inset / 2, -inset, 0), Qt::AlignLeft | Qt::TextWordWrap,
-        studio_.session().isOpen() ? tr("Takes appear here as they are recorded. Drop take files here to "
-                                        "copy them into the session.")
-                                   : tr("No session is open."));
+    painter.drawText(viewport()->rect().adjusted(inset, inset / 2, -inset, 0),
+                     Qt::AlignLeft | Qt::TextWordWrap,
+                     review_.shared().session().isOpen()
+                         ? tr("Takes appear here as they are recorded. Drop take files here to "
+                              "copy them into the session.")
+                         : tr("No session is open."));
 }
 
 }  // namespace noctule::ui

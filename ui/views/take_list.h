@@ -12,7 +12,7 @@ namespace noctule::ui {
 class TakeList : public QListView {
     Q_OBJECT
 public:
-    explicit TakeList(Studio& studio, QWidget* parent = nullptr);
+    explicit TakeList(ReviewContext& review, QWidget* parent = nullptr);
 
     /// Opens a take for review; damaged ones say why not.
     void openTake(int row);
@@ -39,7 +39,7 @@ private:
     bool canRecover(int row) const;
     void showInFolder(int row);
 
-    Studio& studio_;
+    ReviewContext& review_;
     TakeListModel* takes_;
     bool rates_ = false;  ///< the button went down on the stars of a row
 };

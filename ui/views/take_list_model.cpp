@@ -7,15 +7,16 @@
 
 namespace noctule::ui {
 
-TakeListModel::TakeListModel(Studio& studio, QObject* parent) : QAbstractListModel(parent), studio_(studio) {
-    connect(&studio.session(), &SessionModel::opened, this, &TakeListModel::refresh);
-    connect(&studio.session(), &SessionModel::changed, this, &TakeListModel::refresh);
-    connect(&studio.take(), &TakeDocument::opened, this, &TakeListModel::refresh);
+TakeListModel::TakeListModel(ReviewContext& review, QObject* parent)
+    : QAbstractListModel(parent), review_(review) {
+    connect(&review.shared().session(), &SessionModel::opened, this, &TakeListModel::refresh);
+    connect(&review.shared().session(), &SessionModel::changed, this, &TakeListModel::refresh);
+    connect(&review.take(), &TakeDocument::opened, this, &TakeListModel::refresh);
     refresh();
 }
 
 void TakeListModel::refresh() {
-    const SessionModel& session = studio_.session();
+    const SessionModel& session = review_.shared().session();
     const int rows = session.isOpen() ? static_cast<int>(session.session().takes.size()) : 0;
     if (rows != rows_) {
         beginResetModel();
@@ -28,12 +29,13 @@ void TakeListModel::refresh() {
 
 int TakeListModel::rowCount(const QModelIndex& parent) const {
     // The session may have changed before refresh() hears of it.
-    const bool is_there = !parent.isValid() && studio_.session().isOpen();
-    return is_there ? std::min(rows_, static_cast<int>(studio_.session().session().takes.size())) : 0;
+    const bool is_there = !parent.isValid() && review_.shared().session().isOpen();
+    return is_there ? std::min(rows_, static_cast<int>(review_.shared().session().session().takes.size()))
+                    : 0;
 }
 
 int TakeListModel::openRow() const {
-    return openTakeIndex(studio_);
+    return openTakeIndex(review_);
 }
 
 QVariant TakeListModel::data(const QModelIndex& index, int role) const {
@@ -72,7 +74,7 @@ Qt::ItemFlags TakeListModel::flags(const QModelIndex& index) const {
 bool TakeListModel::setData(const QModelIndex& index, const QVariant& value, int role) {
     if (!index.isValid() || role != Qt::EditRole)
         return false;
-    studio_.session().renameTake(index.row(), value.toString());
+    review_.shared().session().renameTake(index.row(), value.toString());
     return true;
 }
 

@@ -4,7 +4,7 @@
 
 #include <QAbstractListModel>
 
-#include "ui/models/studio.h"
+#include "ui/models/review_context.h"
 #include "ui/style/ink.h"
 
 namespace noctule::ui {
@@ -14,7 +14,7 @@ class TakeListModel : public QAbstractListModel {
 public:
     enum Role { kName = Qt::UserRole, kDuration, kRating, kTone, kState, kOpen };
 
-    explicit TakeListModel(Studio& studio, QObject* parent = nullptr);
+    explicit TakeListModel(ReviewContext& review, QObject* parent = nullptr);
 
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
@@ -24,7 +24,7 @@ public:
     /// Row of the take that is open for review, -1: none of them.
     int openRow() const;
     const SessionTake& take(int row) const {
-        return studio_.session().session().takes[static_cast<size_t>(row)];
+        return review_.shared().session().session().takes[static_cast<size_t>(row)];
     }
 
     /// Of a take, for dots and screen readers.
@@ -34,7 +34,7 @@ public:
 private:
     void refresh();
 
-    Studio& studio_;
+    ReviewContext& review_;
     int rows_ = 0;
 };
 

@@ -22,16 +22,16 @@ QString nameOf(const QString& file) {
 
 }  // namespace
 
-CompareDialog::CompareDialog(Studio& studio, const ShelvedCalibration& other, QWidget* parent)
+CompareDialog::CompareDialog(CaptureContext& capture, const ShelvedCalibration& other, QWidget* parent)
     : DialogFrame(tr("Compare calibrations"),
                   tr("%1 of %2, against the one in use, %3")
                       .arg(nameOf(other.file), dateText(other.made().toLocalTime()),
-                           nameOf(studio.calibrations().fileInForce())),
+                           nameOf(capture.calibrations().fileInForce())),
                   tr("Use %1").arg(nameOf(other.file)), parent) {
     auto* tables = new QWidget;
     auto* column = makeColumn(tables, {}, 12);
-    const auto in_force = studio.calibrations().inForce().value_or(Calibration{});
-    const auto names = partNames(studio.suit().suit());
+    const auto in_force = capture.calibrations().inForce().value_or(Calibration{});
+    const auto names = partNames(capture.suit().suit());
     for (const CalibrationTable& table : compareCalibrations(in_force, other.calibration))
         column->addWidget(new CalibrationTableCard(named(table, names)));
     if (column->count() == 0)
@@ -40,8 +40,8 @@ CompareDialog::CompareDialog(Studio& studio, const ShelvedCalibration& other, QW
     auto* area = new ScrollArea(tables);
     keepSize(*area, kWide, kHigh);
     content()->addWidget(area);
-    connect(this, &QDialog::accepted, this, [&studio, file = other.file] {
-        studio.calibrations().use(file, tr("Going back to %1").arg(nameOf(file)));
+    connect(this, &QDialog::accepted, this, [&capture, file = other.file] {
+        capture.calibrations().use(file, tr("Going back to %1").arg(nameOf(file)));
     });
 }
 

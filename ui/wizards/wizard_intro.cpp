@@ -5,7 +5,7 @@
 #include <QFileInfo>
 #include <QVBoxLayout>
 
-#include "ui/models/studio.h"
+#include "ui/models/capture_context.h"
 #include "ui/style/words.h"
 #include "ui/views/body_figure.h"
 #include "ui/views/scaled_layout.h"
@@ -19,9 +19,9 @@
 
 namespace noctule::ui {
 
-WizardIntro::WizardIntro(Studio& studio, QWidget* parent)
+WizardIntro::WizardIntro(CaptureContext& capture, QWidget* parent)
     : QWidget(parent),
-      studio_(studio),
+      capture_(capture),
       what_(new Label({}, TextRole::kInstruction, Ink::kValue, true)),
       needs_(new Label({}, TextRole::kBody, Ink::kLabel)),
       set_up_(new Label({}, TextRole::kBody, Ink::kLabel)),
@@ -84,11 +84,11 @@ void WizardIntro::setRun(WizardRun* run) {
     set_up_->setText(words.set_up);
     RigPicture picture;
     picture.kind = pictureOf(run->task());
-    const Suit& suit = studio_.suit().suit();
+    const Suit& suit = capture_.suit().suit();
     const size_t boards = suit.boards.empty() ? 18 : suit.boards.size();
     picture.boards.assign(boards, BoardMark::kWaiting);
     if (!suit.boards.empty())
-        drawing_->setBody(BodyFigure::of(studio_.suit().actor(), studio_.body()), suit);
+        drawing_->setBody(BodyFigure::of(capture_.suit().actor(), capture_.shared().body()), suit);
     drawing_->setPicture(picture);
     drawing_->setDescription(words.set_up);
     const bool turns = run->task() == WizardTask::kMagnetometers;
@@ -153,8 +153,8 @@ void WizardIntro::chooseDistances() {
 }
 
 void WizardIntro::chooseTakes() {
-    const QStringList paths = QFileDialog::getOpenFileNames(this, tr("Choose the takes"),
-                                                            studio_.takesFolder(), tr("Takes (*.noctule)"));
+    const QStringList paths = QFileDialog::getOpenFileNames(
+        this, tr("Choose the takes"), capture_.shared().takesFolder(), tr("Takes (*.noctule)"));
     if (run_ && !paths.isEmpty())
         run_->solveTakes(paths);
 }

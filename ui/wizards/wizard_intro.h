@@ -13,13 +13,13 @@ class Label;
 class ProblemCard;
 class FieldDrawing;
 class RigDrawing;
-class Studio;
+class CaptureContext;
 class WizardRun;
 
 class WizardIntro : public QWidget {
     Q_OBJECT
 public:
-    explicit WizardIntro(Studio& studio, QWidget* parent = nullptr);
+    explicit WizardIntro(CaptureContext& capture, QWidget* parent = nullptr);
 
     void setRun(WizardRun* run);
     /// "Begin", or "Go on" with what was taken before.
@@ -40,7 +40,7 @@ private:
     void chooseDistances();
     void chooseTakes();
 
-    Studio& studio_;
+    CaptureContext& capture_;
     WizardRun* run_ = nullptr;
     Label *what_, *needs_, *set_up_, *distances_words_, *kept_words_;
     QWidget* words_;

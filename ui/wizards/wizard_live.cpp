@@ -4,8 +4,8 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
+#include "ui/models/capture_context.h"
 #include "ui/models/part_names.h"
-#include "ui/models/studio.h"
 #include "ui/style/words.h"
 #include "ui/views/body_figure.h"
 #include "ui/views/scaled_layout.h"
@@ -43,9 +43,9 @@ BoardMark markOf(const WizardRun& run, int board) {
 
 }  // namespace
 
-WizardLive::WizardLive(Studio& studio, QWidget* parent)
+WizardLive::WizardLive(CaptureContext& capture, QWidget* parent)
     : QWidget(parent),
-      studio_(studio),
+      capture_(capture),
       step_(new Label({}, TextRole::kSection, Ink::kLabel)),
       so_far_(new Label({}, TextRole::kSecondary, Ink::kLabel)),
       instruction_(new Label({}, TextRole::kInstruction, Ink::kValue, true)),
@@ -112,14 +112,14 @@ std::optional<int> WizardLive::exerciseFrame() const {
 
 /// As soon as a suit says who wears it.
 void WizardLive::dress() {
-    const LiveSuit& suit = studio_.suit();
+    const LiveSuit& suit = capture_.suit();
     if (suit.phase() == LiveSuit::Phase::kNone || suit.suit().boards.empty())
         return;
     const std::optional<int> frame = exerciseFrame();
     if (dressed_for_ == frame.value_or(-1))
         return;
-    drawing_->setBody(frame ? exercises_.figure(*frame, suit.actor(), studio_.body())
-                            : BodyFigure::of(suit.actor(), studio_.body()),
+    drawing_->setBody(frame ? exercises_.figure(*frame, suit.actor(), capture_.shared().body())
+                            : BodyFigure::of(suit.actor(), capture_.shared().body()),
                       suit.suit());
     dressed_for_ = frame.value_or(-1);
 }

@@ -15,14 +15,14 @@ class HoldRing;
 class Label;
 class MeasureMeter;
 class RigDrawing;
-class Studio;
+class CaptureContext;
 class ToneCard;
 class WizardRun;
 
 class WizardLive : public QWidget {
     Q_OBJECT
 public:
-    explicit WizardLive(Studio& studio, QWidget* parent = nullptr);
+    explicit WizardLive(CaptureContext& capture, QWidget* parent = nullptr);
 
     void setRun(WizardRun* run);
     QString instruction() const;
@@ -37,7 +37,7 @@ private:
     std::optional<int> exerciseFrame() const;
     void showMeasures();
 
-    Studio& studio_;
+    CaptureContext& capture_;
     WizardRun* run_ = nullptr;
     Label *step_, *so_far_, *instruction_;
     RigDrawing* drawing_;

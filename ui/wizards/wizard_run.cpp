@@ -31,17 +31,17 @@ HealthReport healthOnRig(const LiveFrame& frame) {
 
 }  // namespace
 
-WizardRun::WizardRun(Studio& studio, WizardTask task, QObject* parent)
-    : QObject(parent), studio_(studio), task_(task) {
-    studio.suits().follow(&LiveSuit::frameChanged, this, &WizardRun::look);
-    studio.suits().forEach(this, [this](SuitInUse& worn) {
+WizardRun::WizardRun(CaptureContext& capture, WizardTask task, QObject* parent)
+    : QObject(parent), capture_(capture), task_(task) {
+    capture.suits().follow(&LiveSuit::frameChanged, this, &WizardRun::look);
+    capture.suits().forEach(this, [this](SuitInUse& worn) {
         connect(&worn.suit, &LiveSuit::evidenceRecorded, this, &WizardRun::kept);
     });
-    connect(&studio.suits(), &LiveSuits::currentChanged, this, &WizardRun::leaveSuit);
-    studio.suits().follow(&LiveSuit::phaseChanged, this, &WizardRun::changed);
-    studio.suits().follow(&LiveSuit::wearingChanged, this, &WizardRun::followWearing);
-    studio.suits().follow(&CalibrationShelf::changed, this, &WizardRun::changed);
-    connect(&studio.session(), &SessionModel::opened, this, [this] {
+    connect(&capture.suits(), &LiveSuits::currentChanged, this, &WizardRun::leaveSuit);
+    capture.suits().follow(&LiveSuit::phaseChanged, this, &WizardRun::changed);
+    capture.suits().follow(&LiveSuit::wearingChanged, this, &WizardRun::followWearing);
+    capture.suits().follow(&CalibrationShelf::changed, this, &WizardRun::changed);
+    connect(&capture.shared().session(), &SessionModel::opened, this, [this] {
         if (phase_ == Phase::kIntro)
             restore();
         emit changed();
@@ -77,7 +77,7 @@ QString WizardRun::whyNotBegin() const {
     if (task_ == WizardTask::kCheck && !base())
         return tr("There is no calibration to check. Calibrate the rest pose first.");
     if (task_ == WizardTask::kMagnetometers && !isWaitingForSuit() &&
-        std::ranges::none_of(studio_.suit().suit().boards, &Board::has_magnetometer))
+        std::ranges::none_of(capture_.suit().suit().boards, &Board::has_magnetometer))
         return tr("No board of this suit has a magnetometer.");
     if (isWaitingForSuit())
         return tr("No suit is connected. Connect one first, or use takes that were recorded before.");
@@ -85,11 +85,11 @@ QString WizardRun::whyNotBegin() const {
 }
 
 std::optional<Calibration> WizardRun::base() const {
-    return studio_.calibrations().inForce();
+    return capture_.calibrations().inForce();
 }
 
 int WizardRun::sampleRate_hz() const {
-    const auto hello = studio_.suit().status()->hello;
+    const auto hello = capture_.suit().status()->hello;
     return hello ? hello->sample_rate_hz : link::Hello{}.sample_rate_hz;
 }
 
@@ -100,7 +100,7 @@ void WizardRun::watch() {
         if (guide_->isSkipped(board))
             skipped.insert(suit_.boards[static_cast<size_t>(board)].id);
     const std::unique_ptr<Guide> before = std::move(guide_);
-    const Suit suit_before = std::exchange(suit_, studio_.suit().suit());
+    const Suit suit_before = std::exchange(suit_, capture_.suit().suit());
     guide_ = makeGuide(task_, suit_, base().value_or(nominalCalibration(suit_)), sampleRate_hz(), known_);
     for (int board = 0; board < static_cast<int>(suit_.boards.size()); ++board)
         if (skipped.contains(suit_.boards[static_cast<size_t>(board)].id))
@@ -130,7 +130,7 @@ std::optional<int> WizardRun::stepShownBy(const WizardEvidence& part) const {
 
 /// Another suit, or the same one named otherwise.
 void WizardRun::followWearing() {
-    if (phase_ == Phase::kGuiding && !isWaitingForSuit() && toJson(studio_.suit().suit()) != toJson(suit_))
+    if (phase_ == Phase::kGuiding && !isWaitingForSuit() && toJson(capture_.suit().suit()) != toJson(suit_))
         watch();
     emit changed();
 }
@@ -148,7 +148,7 @@ void WizardRun::leaveSuit() {
 }
 
 void WizardRun::begin() {
-    if (!whyNotBegin().isEmpty() || !studio_.makeSureOfSession())
+    if (!whyNotBegin().isEmpty() || !capture_.shared().makeSureOfSession())
         return;
     result_.reset();
     trouble_.clear();
@@ -156,7 +156,7 @@ void WizardRun::begin() {
     watch();
     since_begin_.start();
     if (unfinished_.started_utc.isEmpty())
-        unfinished_.started_utc = QString::fromStdString(studio_.parts().utc_now());
+        unfinished_.started_utc = QString::fromStdString(capture_.shared().parts().utc_now());
     setPhase(Phase::kGuiding);
     if (guide_->isFinished())
         solveNow();
@@ -170,14 +170,14 @@ void WizardRun::beginAnew() {
 }
 
 bool WizardRun::isWaitingForSuit() const {
-    const LiveSuit::Phase phase = studio_.suit().phase();
+    const LiveSuit::Phase phase = capture_.suit().phase();
     const bool streams = phase == LiveSuit::Phase::kLooking || phase == LiveSuit::Phase::kSaving;
-    const LinkState link = studio_.suit().status()->link;
+    const LinkState link = capture_.suit().status()->link;
     return !streams || link == LinkState::kLost || link == LinkState::kStalled;
 }
 
 void WizardRun::look() {
-    const auto frame = studio_.suit().frame();
+    const auto frame = capture_.suit().frame();
     if (phase_ != Phase::kGuiding || paused_ || !guide_ || !frame || isWaitingForSuit())
         return;
     const int64_t every = std::llround(kLookEvery_s * sampleRate_hz());
@@ -209,7 +209,7 @@ void WizardRun::keep() {
     plan.base_name = QStringLiteral("%1_%2").arg(keyOf(task_)).arg(*now.step + 1);
     plan.length_s = leadOf(task_) + holdOf(task_) + kMargin_s;
     plan.placement = QString::fromStdString(guide_->labelOf(*now.step));
-    trouble_ = studio_.suit().keepEvidence(plan);
+    trouble_ = capture_.suit().keepEvidence(plan);
     if (trouble_.isEmpty())
         return setPhase(Phase::kTaking);
     guide_->restart();
@@ -337,7 +337,7 @@ void WizardRun::solveTakes(const QStringList& paths) {
     for (const QString& path : paths)
         files.push_back(path.toStdString());
     from_evidence_ = false;
-    if (!files.empty() && studio_.makeSureOfSession())
+    if (!files.empty() && capture_.shared().makeSureOfSession())
         solve(files);
 }
 
@@ -348,16 +348,16 @@ void WizardRun::solve(const std::vector<std::string>& paths) {
     if (task_ == WizardTask::kRestPose || task_ == WizardTask::kCheck)
         request.take_paths = {paths.back()};
     request.base = base();
-    if (from_evidence_ && studio_.suit().phase() != LiveSuit::Phase::kNone)
-        request.actor = studio_.suit().actor();
-    request.created_utc = studio_.parts().utc_now();
+    if (from_evidence_ && capture_.suit().phase() != LiveSuit::Phase::kNone)
+        request.actor = capture_.suit().actor();
+    request.created_utc = capture_.shared().parts().utc_now();
     saved_file_.clear();
     KnownDistances known = known_;
     std::erase_if(known.distances, [this](const KnownDistance& distance) {
         const int board = guide_ && from_evidence_ ? suit_.findBoard(distance.board) : -1;
         return board >= 0 && guide_->isSkipped(board);
     });
-    job_ = studio_.jobs().start<CalibrationResult>(
+    job_ = capture_.shared().jobs().start<CalibrationResult>(
         tr("Calibration: %1").arg(wordsOf(task_).title),
         [task = task_, request, known](const JobContext& job) {
             return solveTask(task, request, known, job);
@@ -379,8 +379,7 @@ void WizardRun::solved(Result<CalibrationResult> result) {
         keepValuesOfSkipped(*result_);
         const bool is_judged = result_->grade() != Grade::kUnknown;
         if (task_ == WizardTask::kCheck && from_evidence_ && guide_ && is_judged)
-            studio_.setChecked(
-                CheckedSuit{QDateTime::currentDateTime(), result_->grade() == Grade::kGood});
+            capture_.setChecked(CheckedSuit{QDateTime::currentDateTime(), result_->grade() == Grade::kGood});
         return setPhase(Phase::kResult);
     }
     if (result.error().kind != ErrorKind::kCancelled)
@@ -403,9 +402,9 @@ void WizardRun::keepValuesOfSkipped(CalibrationResult& result) const {
 QString WizardRun::save() {
     if (!result_ || isSaved())
         return {};
-    if (const QString why = studio_.calibrations().save(*result_, keyOf(task_)); !why.isEmpty())
+    if (const QString why = capture_.calibrations().save(*result_, keyOf(task_)); !why.isEmpty())
         return why;
-    saved_file_ = studio_.calibrations().fileInForce();
+    saved_file_ = capture_.calibrations().fileInForce();
     if (from_evidence_)
         forget();
     emit changed();
@@ -413,13 +412,13 @@ QString WizardRun::save() {
 }
 
 bool WizardRun::tones() const {
-    return studio_.settings().value(kTones, true).toBool();
+    return capture_.shared().settings().value(kTones, true).toBool();
 }
 
 void WizardRun::setTones(bool tones) {
     if (tones == this->tones())
         return;
-    studio_.settings().setValue(kTones, tones);
+    capture_.shared().settings().setValue(kTones, tones);
     emit changed();
 }
 

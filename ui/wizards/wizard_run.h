@@ -14,7 +14,7 @@
 
 #include "core/guide/field_guide.h"
 #include "core/processing/field_take.h"
-#include "ui/models/studio.h"
+#include "ui/models/capture_context.h"
 #include "ui/wizards/task_work.h"
 #include "ui/wizards/unfinished_calibration.h"
 #include "ui/wizards/wizard_task.h"
@@ -32,7 +32,7 @@ public:
         kResult,
     };
 
-    WizardRun(Studio& studio, WizardTask task, QObject* parent = nullptr);
+    WizardRun(CaptureContext& capture, WizardTask task, QObject* parent = nullptr);
     ~WizardRun() override;
 
     WizardTask task() const { return task_; }
@@ -97,7 +97,7 @@ public:
     QString save();
     bool isSaved() const { return !saved_file_.isEmpty(); }
     /// Saved, and neither undone nor replaced since.
-    bool isInUse() const { return isSaved() && studio_.calibrations().fileInForce() == saved_file_; }
+    bool isInUse() const { return isSaved() && capture_.calibrations().fileInForce() == saved_file_; }
 
     bool tones() const;
     void setTones(bool tones);
@@ -140,7 +140,7 @@ private:
     QString statePath() const;
     std::optional<Calibration> base() const;
 
-    Studio& studio_;
+    CaptureContext& capture_;
     const WizardTask task_;
     Phase phase_ = Phase::kIntro;
     KnownDistances known_;

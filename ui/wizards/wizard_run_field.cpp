@@ -73,7 +73,7 @@ void WizardRun::restoreReadings(const FieldGuide* before, const Suit& suit_befor
     const auto record = readFieldTake(unfinished_.evidence.front().path.toStdString(), suit_);
     if (!record) {
         unfinished_.evidence.clear();
-        return emit studio_.warned(coreWords(record.error()));
+        return emit capture_.shared().warned(coreWords(record.error()));
     }
     for (int board = 0; board < static_cast<int>(suit_.boards.size()); ++board)
         guide->give(board, record->readings[static_cast<size_t>(board)]);
@@ -86,7 +86,7 @@ QString WizardRun::fieldPath() {
         return field_path_;
     if (!unfinished_.evidence.empty())
         return field_path_ = unfinished_.evidence.front().path;
-    const std::filesystem::path folder = studio_.session().session().evidenceFolder();
+    const std::filesystem::path folder = capture_.shared().session().session().evidenceFolder();
     std::error_code ignored;
     std::filesystem::create_directories(folder, ignored);
     return field_path_ = QString::fromStdString(nextTakePath(folder, keyOf(task_).toStdString()).string());
@@ -96,8 +96,8 @@ FieldTakePlan WizardRun::fieldPlan() {
     FieldTakePlan plan;
     plan.path = fieldPath().toStdString();
     plan.name = QFileInfo(QString::fromStdString(plan.path)).completeBaseName().toStdString();
-    plan.created_utc = studio_.parts().utc_now();
-    plan.software = studio_.parts().software;
+    plan.created_utc = capture_.shared().parts().utc_now();
+    plan.software = capture_.shared().parts().software;
     plan.sample_rate_hz = sampleRate_hz();
     plan.calibration = base();
     return plan;
@@ -106,7 +106,7 @@ FieldTakePlan WizardRun::fieldPlan() {
 /// Before it goes on: at the end of a step, when the wizard is left.
 bool WizardRun::keepReadings(Whose whose) {
     const FieldGuide* guide = fieldGuide();
-    if (!guide || !studio_.session().isOpen())
+    if (!guide || !capture_.shared().session().isOpen())
         return false;
     if (!keeper_)
         keeper_ = std::make_shared<FieldKeeper>();
@@ -124,14 +124,14 @@ bool WizardRun::keepReadings(Whose whose) {
 /// Meanwhile, so that a crash costs seconds only.
 void WizardRun::keepReadingsBesides() {
     const FieldGuide* guide = fieldGuide();
-    if (!guide || !studio_.session().isOpen() || !hasReadings() ||
+    if (!guide || !capture_.shared().session().isOpen() || !hasReadings() ||
         (since_kept_.isValid() && since_kept_.elapsed() < kKeepEvery_ms))
         return;
     since_kept_.start();
     if (!keeper_)
         keeper_ = std::make_shared<FieldKeeper>();
     const FieldTakePlan plan = fieldPlan();
-    studio_.jobs().start<Done>(
+    capture_.shared().jobs().start<Done>(
         tr("Keeping %1").arg(wordsOf(task_).title),
         [keeper = keeper_, version = ++keeper_->asked, plan, suit = suit_,
          record = fieldRecord(*guide, Whose::kAll)](const JobContext&) -> Result<Done> {

@@ -12,24 +12,24 @@ namespace noctule::ui {
 /// Its takes go to the trash of the session: a solver must not see what the operator took back.
 void WizardRun::dropEvidence(int step) {
     for (const WizardEvidence& part : unfinished_.evidence)
-        if (part.step == step && studio_.session().isOpen()) {
-            const std::filesystem::path trash = studio_.session().session().trashFolder();
+        if (part.step == step && capture_.shared().session().isOpen()) {
+            const std::filesystem::path trash = capture_.shared().session().session().trashFolder();
             std::error_code ignored;
             std::filesystem::create_directories(trash, ignored);
             const std::filesystem::path from = part.path.toStdString();
             if (const Status moved =
                     moveTakeFiles(from, nextTakePath(trash, takeBaseName(from.stem().string())));
                 !moved)
-                emit studio_.warned(coreWords(moved.error()));
+                emit capture_.shared().warned(coreWords(moved.error()));
         }
     std::erase_if(unfinished_.evidence, [step](const WizardEvidence& part) { return part.step == step; });
 }
 
 QString WizardRun::statePath() const {
-    return studio_.session().isOpen()
-               ? unfinishedPath(
-                     QString::fromStdString(studio_.session().session().calibrationFolder().string()),
-                     keyOf(task_))
+    return capture_.shared().session().isOpen()
+               ? unfinishedPath(QString::fromStdString(
+                                    capture_.shared().session().session().calibrationFolder().string()),
+                                keyOf(task_))
                : QString();
 }
 
@@ -39,14 +39,14 @@ void WizardRun::store() const {
     if (path.isEmpty() || isWorn(task_))
         return;
     if (const Status written = writeUnfinished(path, keyOf(task_), unfinished_); !written)
-        emit studio_.warned(coreWords(written.error()));
+        emit capture_.shared().warned(coreWords(written.error()));
 }
 
 void WizardRun::restore() {
     const QString chosen = std::exchange(unfinished_, {}).distances_path;
     if (const QString path = statePath(); QFile::exists(path))
         unfinished_ = readUnfinished(
-            path, QString::fromStdString(studio_.session().session().evidenceFolder().string()));
+            path, QString::fromStdString(capture_.shared().session().session().evidenceFolder().string()));
     const QString before = std::exchange(unfinished_.distances_path, chosen);
     if (!before.isEmpty() && before != chosen)
         setDistances(before);

@@ -25,9 +25,9 @@ void exchangePlaces(Board& a, Board& b) {
 
 }  // namespace
 
-AssignPanel::AssignPanel(Studio& studio, QWidget* parent)
+AssignPanel::AssignPanel(CaptureContext& capture, QWidget* parent)
     : QWidget(parent),
-      studio_(studio),
+      capture_(capture),
       performers_(new QComboBox),
       segments_(new QComboBox),
       measures_((new Label({}, TextRole::kSecondary, Ink::kLabel))->wrapped()),
@@ -40,13 +40,13 @@ AssignPanel::AssignPanel(Studio& studio, QWidget* parent)
     addWornBy(*column);
     column->addWidget(new Divider);
     addAssign(*column);
-    studio_.suits().follow(&LiveSuit::wearingChanged, this, &AssignPanel::showPerformers);
-    connect(&studio_.session(), &SessionModel::changed, this, &AssignPanel::showPerformers);
-    connect(&studio_.session(), &SessionModel::opened, this, &AssignPanel::showPerformers);
-    studio_.suits().follow(&LiveSuit::wearingChanged, this, &AssignPanel::showSuit);
-    studio_.suits().follow(&LiveSuit::phaseChanged, this, &AssignPanel::showSuit);
-    studio_.suits().follow(&LiveSuit::frameChanged, this, &AssignPanel::listen);
-    connect(&studio_.suits(), &LiveSuits::currentChanged, this, [this] {
+    capture_.suits().follow(&LiveSuit::wearingChanged, this, &AssignPanel::showPerformers);
+    connect(&capture_.shared().session(), &SessionModel::changed, this, &AssignPanel::showPerformers);
+    connect(&capture_.shared().session(), &SessionModel::opened, this, &AssignPanel::showPerformers);
+    capture_.suits().follow(&LiveSuit::wearingChanged, this, &AssignPanel::showSuit);
+    capture_.suits().follow(&LiveSuit::phaseChanged, this, &AssignPanel::showSuit);
+    capture_.suits().follow(&LiveSuit::frameChanged, this, &AssignPanel::listen);
+    connect(&capture_.suits(), &LiveSuits::currentChanged, this, [this] {
         if (isFinding())
             find(false);
     });
@@ -63,8 +63,8 @@ void AssignPanel::addWornBy(QVBoxLayout& column) {
     performers_->setAccessibleName(tr("Worn by"));
     column.addWidget(part);
     connect(performers_, qOverload<int>(&QComboBox::activated), this, [this](int index) {
-        if (studio_.session().isOpen())
-            studio_.suits().setPerformer(studio_.suits().current(), performers_->itemText(index));
+        if (capture_.shared().session().isOpen())
+            capture_.suits().setPerformer(capture_.suits().current(), performers_->itemText(index));
     });
 }
 
@@ -87,7 +87,7 @@ void AssignPanel::addAssign(QVBoxLayout& column) {
 void AssignPanel::showPerformers() {
     const QSignalBlocker quiet(performers_);
     performers_->clear();
-    const SessionModel& model = studio_.session();
+    const SessionModel& model = capture_.shared().session();
     if (!model.isOpen()) {
         performers_->addItem(tr("Performer 1"));
         performers_->setEnabled(false);
@@ -107,12 +107,12 @@ void AssignPanel::showPerformers() {
 
 /// Of the suit that is looked at; of none the session's current performer.
 std::string AssignPanel::wearer() const {
-    const std::string& worn_by = studio_.suit().wearing().performer;
-    return worn_by.empty() ? studio_.session().session().current_performer : worn_by;
+    const std::string& worn_by = capture_.suit().wearing().performer;
+    return worn_by.empty() ? capture_.shared().session().session().current_performer : worn_by;
 }
 
 void AssignPanel::showSuit() {
-    const Suit& suit = studio_.suit().suit();
+    const Suit& suit = capture_.suit().suit();
     const bool there = !suit.boards.empty();
     if (!there && isFinding())
         return find(false);
@@ -139,16 +139,16 @@ QString AssignPanel::words() const {
 void AssignPanel::find(bool on) {
     found_ = -1;
     finder_.reset();
-    const auto hello = studio_.suit().status()->hello;
+    const auto hello = capture_.suit().status()->hello;
     if (on && hello)
-        finder_ = std::make_unique<MovingBoard>(studio_.suit().suit(), hello->sample_rate_hz);
+        finder_ = std::make_unique<MovingBoard>(capture_.suit().suit(), hello->sample_rate_hz);
     emit boardFound(-1);
     showSuit();
 }
 
 void AssignPanel::listen() {
-    const auto frame = studio_.suit().frame();
-    if (!finder_ || !frame || frame->readings.size() != studio_.suit().suit().boards.size())
+    const auto frame = capture_.suit().frame();
+    if (!finder_ || !frame || frame->readings.size() != capture_.suit().suit().boards.size())
         return;
     for (const auto& reading : frame->readings)
         if (reading)
@@ -169,13 +169,13 @@ void AssignPanel::assign() {
 }
 
 void AssignPanel::swap(int board, int with) {
-    SessionModel& model = studio_.session();
-    Suit suit = studio_.suit().suit();
+    SessionModel& model = capture_.shared().session();
+    Suit suit = capture_.suit().suit();
     const auto count = static_cast<int>(suit.boards.size());
     if (board < 0 || with < 0 || board >= count || with >= count || board == with ||
-        !studio_.makeSureOfSession())
+        !capture_.shared().makeSureOfSession())
         return;
-    suit = studio_.suit().suit();
+    suit = capture_.suit().suit();
     const QString names = tr("Swap boards %1 and %2").arg(board + 1).arg(with + 1);
     exchangePlaces(suit.boards[static_cast<size_t>(board)], suit.boards[static_cast<size_t>(with)]);
     const auto& performers = model.session().performers;
@@ -183,7 +183,7 @@ void AssignPanel::swap(int board, int with) {
         if (performers[i].name == wearer()) {
             Performer performer = performers[i];
             suit.name = performer.suit.name;
-            const LiveSuit& live = studio_.suit();
+            const LiveSuit& live = capture_.suit();
             performer.suit =
                 live.known().actor ? suitOnActor(suit, live.actor(), defaultActor(performer.measures)) : suit;
             model.changePerformer(static_cast<int>(i), performer, names);

@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "core/live/moving_board.h"
-#include "ui/models/studio.h"
+#include "ui/models/capture_context.h"
 
 class QVBoxLayout;
 
@@ -20,7 +20,7 @@ class Label;
 class AssignPanel : public QWidget {
     Q_OBJECT
 public:
-    explicit AssignPanel(Studio& studio, QWidget* parent = nullptr);
+    explicit AssignPanel(CaptureContext& capture, QWidget* parent = nullptr);
 
     QComboBox& performers() { return *performers_; }
     QComboBox& segments() { return *segments_; }
@@ -45,7 +45,7 @@ private:
     void listen();
     void assign();
 
-    Studio& studio_;
+    CaptureContext& capture_;
     QComboBox *performers_, *segments_;
     Label *measures_, *explained_;
     Button *find_, *assign_;

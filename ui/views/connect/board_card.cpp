@@ -44,9 +44,9 @@ std::array<std::optional<double>, 3> inSi(const InertialReading& reading, size_t
 
 }  // namespace
 
-BoardCard::BoardCard(Studio& studio, QWidget* parent)
+BoardCard::BoardCard(CaptureContext& capture, QWidget* parent)
     : Card(parent),
-      studio_(studio),
+      capture_(capture),
       title_((new Label({}, TextRole::kSection, Ink::kValue, true))->wrapped()),
       serial_((new Label({}, TextRole::kSecondary, Ink::kLabel))->wrapped()),
       frames_((new Label({}, TextRole::kSecondary, Ink::kLabel))->wrapped()),
@@ -65,10 +65,10 @@ BoardCard::BoardCard(Studio& studio, QWidget* parent)
     inner->addWidget(frames_);
     addRow(inner, 0, {0, 4, 0, 0})->addWidget(blink_, 0, Qt::AlignLeft);
     connect(blink_, &QPushButton::clicked, this, [this] { emit blinkRequested(board_); });
-    studio.suits().follow(&LiveSuit::frameChanged, this, &BoardCard::showFrame);
-    studio.suits().follow(&SuitCheck::changed, this, &BoardCard::showWords);
-    studio.suits().follow(&LiveSuit::wearingChanged, this, &BoardCard::showWords);
-    studio.suits().follow(&LiveSuit::blinkingChanged, this, &BoardCard::showWords);
+    capture.suits().follow(&LiveSuit::frameChanged, this, &BoardCard::showFrame);
+    capture.suits().follow(&SuitCheck::changed, this, &BoardCard::showWords);
+    capture.suits().follow(&LiveSuit::wearingChanged, this, &BoardCard::showWords);
+    capture.suits().follow(&LiveSuit::blinkingChanged, this, &BoardCard::showWords);
     setBoard(-1);
 }
 

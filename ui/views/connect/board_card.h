@@ -3,7 +3,7 @@
 // arrives.
 #pragma once
 
-#include "ui/models/studio.h"
+#include "ui/models/capture_context.h"
 #include "ui/widgets/card.h"
 
 class QVBoxLayout;
@@ -18,7 +18,7 @@ class PulseBars;
 class BoardCard : public Card {
     Q_OBJECT
 public:
-    explicit BoardCard(Studio& studio, QWidget* parent = nullptr);
+    explicit BoardCard(CaptureContext& capture, QWidget* parent = nullptr);
 
     int board() const { return board_; }
     /// -1: none is chosen, and the card says what to do.
@@ -32,10 +32,10 @@ private:
     void showFrame();
     void showWords();
 
-    LiveSuit& live() const { return studio_.suit(); }
-    SuitCheck& check() const { return studio_.check(); }
+    LiveSuit& live() const { return capture_.suit(); }
+    SuitCheck& check() const { return capture_.check(); }
 
-    Studio& studio_;
+    CaptureContext& capture_;
     int board_ = -1;
     Label *title_, *serial_, *frames_;
     PulseBars* pulses_;

@@ -33,19 +33,19 @@ Tone toneOfSource(const Readiness& readiness, int source) {
 
 }  // namespace
 
-ConnectPage::ConnectPage(Studio& studio, QWidget* parent)
+ConnectPage::ConnectPage(CaptureContext& capture, QWidget* parent)
     : Page(parent),
-      studio_(studio),
-      devices_(new DevicesPanel(studio)),
-      assigning_(new AssignPanel(studio)),
-      readiness_(new ReadinessPanel(studio)),
+      capture_(capture),
+      devices_(new DevicesPanel(capture)),
+      assigning_(new AssignPanel(capture)),
+      readiness_(new ReadinessPanel(capture)),
       left_(makeLeft()),
       drawing_(new QWidget),
       beside_(new QWidget),
       beside_column_(makeColumn(beside_, {}, 16)),
-      card_(new BoardCard(studio)),
+      card_(new BoardCard(capture)),
       legend_(new MapLegend(MapLegend::Shows::kState)),
-      pairs_(new LivePairs(studio)) {
+      pairs_(new LivePairs(capture)) {
     for (QWidget* dock : {left_, static_cast<QWidget*>(readiness_)}) {
         dock->setParent(this);
         dock->hide();
@@ -53,7 +53,7 @@ ConnectPage::ConnectPage(Studio& studio, QWidget* parent)
     auto* content = new QWidget;
     auto* column = makeColumn(content);
     makeColumn(this)->addWidget(new ScrollArea(content));
-    column->addWidget(new SuitSwitch(studio));
+    column->addWidget(new SuitSwitch(capture));
     column->addWidget(makeCentre(), 3);
     column->addWidget(pairs_, 2);
     addActions();
@@ -90,7 +90,7 @@ QWidget* ConnectPage::makeCentre() {
 void ConnectPage::addActions() {
     auto* look = new QAction(tr("Look for devices again"), this);
     look->setShortcut(Qt::Key_F5);
-    connect(look, &QAction::triggered, this, [this] { studio_.finder().lookAgain(); });
+    connect(look, &QAction::triggered, this, [this] { capture_.finder().lookAgain(); });
     blink_ = new QAction(tr("Blink the chosen board"), this);
     blink_->setShortcut(Qt::Key_B);
     connect(blink_, &QAction::triggered, this, &ConnectPage::blink);
@@ -98,7 +98,7 @@ void ConnectPage::addActions() {
     take_off_->setShortcut(Qt::Key_Delete);
     connect(take_off_, &QAction::triggered, this, &ConnectPage::takeOff);
     auto* performer = new QAction(tr("Performer and suit"), this);
-    connect(performer, &QAction::triggered, this, [this] { studio_.goTo(Step::kPerformer); });
+    connect(performer, &QAction::triggered, this, [this] { capture_.shared().goTo(Step::kPerformer); });
     auto* put_on = new QAction(tr("Put the suit on"), this);
     connect(put_on, &QAction::triggered, this, &ConnectPage::putSuitOnRequested);
     QWidget::addActions({look, blink_, take_off_, performer, put_on});
@@ -106,19 +106,20 @@ void ConnectPage::addActions() {
 }
 
 void ConnectPage::connectStudio() {
-    connect(&studio_.session(), &SessionModel::changed, this, [this] {
-        if (isVisible() && studio_.suit().phase() == LiveSuit::Phase::kNone)
+    connect(&capture_.shared().session(), &SessionModel::changed, this, [this] {
+        if (isVisible() && capture_.suit().phase() == LiveSuit::Phase::kNone)
             showSuit();
     });
-    studio_.suits().follow(&LiveSuit::wearingChanged, this, &ConnectPage::showSuit);
-    studio_.suits().follow(&LiveSuit::phaseChanged, this, &ConnectPage::showLayout);
-    studio_.suits().follow(&SuitCheck::changed, this, [this] {
+    capture_.suits().follow(&LiveSuit::wearingChanged, this, &ConnectPage::showSuit);
+    capture_.suits().follow(&LiveSuit::phaseChanged, this, &ConnectPage::showLayout);
+    capture_.suits().follow(&SuitCheck::changed, this, [this] {
         if (isVisible())
             showState();
     });
-    studio_.suits().follow(&LiveSuit::blinkingChanged, this, &ConnectPage::showState);
+    capture_.suits().follow(&LiveSuit::blinkingChanged, this, &ConnectPage::showState);
     connect(pairs_, &LivePairs::boardChosen, this, &ConnectPage::choose);
-    connect(card_, &BoardCard::blinkRequested, this, [this](int board) { studio_.suit().blinkBoard(board); });
+    connect(card_, &BoardCard::blinkRequested, this,
+            [this](int board) { capture_.suit().blinkBoard(board); });
     connect(readiness_, &ReadinessPanel::boardChosen, this, &ConnectPage::choose);
     connect(assigning_, &AssignPanel::boardFound, this, [this](int board) {
         if (board >= 0)
@@ -132,14 +133,14 @@ void ConnectPage::enter() {
 }
 
 void ConnectPage::showSuit() {
-    const LiveSuit& worn = studio_.suit();
+    const LiveSuit& worn = capture_.suit();
     delete map_;
-    map_ = worn.suit().boards.empty() ? makePerformerMap(studio_)
-                                      : makeSuitMap(studio_, worn.actor(), worn.suit());
+    map_ = worn.suit().boards.empty() ? makePerformerMap(capture_.shared())
+                                      : makeSuitMap(capture_.shared(), worn.actor(), worn.suit());
     connect(map_, &BodyMap::boardClicked, this, &ConnectPage::choose);
     connect(map_, &BodyMap::boardDropped, assigning_, &AssignPanel::swap, Qt::QueuedConnection);
     connect(map_, &BodyMap::sourceClicked, this,
-            [this](int source) { studio_.say(sourceTitle(map_->suit(), source)); });
+            [this](int source) { capture_.shared().say(sourceTitle(map_->suit(), source)); });
     static_cast<QVBoxLayout*>(drawing_->layout())->insertWidget(0, map_, 1);
     choose(board_ < map_->boardCount() ? board_ : -1);
     showLayout();
@@ -147,7 +148,7 @@ void ConnectPage::showSuit() {
 
 /// Where there is no room for the card beside the body, it stands in the right dock.
 void ConnectPage::showLayout() {
-    const bool there = !studio_.suit().suit().boards.empty();
+    const bool there = !capture_.suit().suit().boards.empty();
     const bool beside = width() >= Theme::get().px(kRoomForCard);
     beside_->setVisible(there && beside);
     if (beside && beside_column_->indexOf(card_) < 0) {
@@ -168,12 +169,12 @@ void ConnectPage::showLayout() {
 }
 
 void ConnectPage::showState() {
-    const Readiness& readiness = studio_.check().readiness();
+    const Readiness& readiness = capture_.check().readiness();
     if (static_cast<int>(readiness.boards.size()) != map_->boardCount())
         return;
     for (int board = 0; board < map_->boardCount(); ++board)
         map_->setBoardState(board, toneOf(readiness.boards[static_cast<size_t>(board)].state),
-                            boardDetail(studio_.check(), board));
+                            boardDetail(capture_.check(), board));
     for (int source = 0; source < map_->sourceCount(); ++source) {
         const int good = readiness.source_good_pairs.at(static_cast<size_t>(source));
         map_->setSourceTone(source, toneOfSource(readiness, source),
@@ -190,19 +191,20 @@ void ConnectPage::choose(int board) {
 
 void ConnectPage::blink() {
     if (board_ < 0)
-        studio_.say(tr("Choose a board first."));
-    else if (!studio_.suit().isPlugged(board_))
-        studio_.say(tr("Board %1 is unplugged and cannot blink.").arg(board_ + 1));
+        capture_.shared().say(tr("Choose a board first."));
+    else if (!capture_.suit().isPlugged(board_))
+        capture_.shared().say(tr("Board %1 is unplugged and cannot blink.").arg(board_ + 1));
     else
-        studio_.suit().blinkBoard(board_);
+        capture_.suit().blinkBoard(board_);
 }
 
 void ConnectPage::takeOff() {
-    for (const ReadinessProblem& problem : std::vector(studio_.check().readiness().problems))
+    for (const ReadinessProblem& problem : std::vector(capture_.check().readiness().problems))
         if (board_ >= 0 && (problem.board == board_ || std::ranges::count(problem.alike, board_) > 0))
-            return studio_.check().goOnWithout(problem);
-    studio_.say(board_ < 0 ? tr("Choose a board first.")
-                           : tr("Board %1 works; there is nothing to go on without.").arg(board_ + 1));
+            return capture_.check().goOnWithout(problem);
+    capture_.shared().say(board_ < 0
+                              ? tr("Choose a board first.")
+                              : tr("Board %1 works; there is nothing to go on without.").arg(board_ + 1));
 }
 
 void ConnectPage::resizeEvent(QResizeEvent* event) {

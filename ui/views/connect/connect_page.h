@@ -4,7 +4,7 @@
 // of the performer's suit sit.
 #pragma once
 
-#include "ui/models/studio.h"
+#include "ui/models/capture_context.h"
 #include "ui/views/page.h"
 
 class QHBoxLayout;
@@ -24,7 +24,7 @@ class ReadinessPanel;
 class ConnectPage : public Page {
     Q_OBJECT
 public:
-    explicit ConnectPage(Studio& studio, QWidget* parent = nullptr);
+    explicit ConnectPage(CaptureContext& capture, QWidget* parent = nullptr);
 
     QString title() const override { return tr("Connect"); }
     QWidget* leftDock() override { return left_; }
@@ -57,7 +57,7 @@ private:
     void blink();
     void takeOff();
 
-    Studio& studio_;
+    CaptureContext& capture_;
     DevicesPanel* devices_;
     AssignPanel* assigning_;
     ReadinessPanel* readiness_;

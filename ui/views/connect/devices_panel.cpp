@@ -29,9 +29,9 @@ void tellLink(const LiveSuit& live, DeviceWords& words) {
 
 }  // namespace
 
-DevicesPanel::DevicesPanel(Studio& studio, QWidget* parent)
+DevicesPanel::DevicesPanel(CaptureContext& capture, QWidget* parent)
     : QWidget(parent),
-      studio_(studio),
+      capture_(capture),
       list_(new QWidget),
       list_column_(makeColumn(list_, {}, 8)),
       virtual_card_(new DeviceCard),
@@ -50,11 +50,11 @@ DevicesPanel::DevicesPanel(Studio& studio, QWidget* parent)
     addAddressForm(*column);
     connect(virtual_card_, &DeviceCard::activated, this, &DevicesPanel::actOnVirtualSuit);
     connect(second_virtual_card_, &DeviceCard::activated, this, &DevicesPanel::actOnSecondVirtualSuit);
-    connect(&studio_.finder(), &SuitFinder::changed, this, &DevicesPanel::showDevices);
-    connect(&studio_.suits(), &LiveSuits::changed, this, &DevicesPanel::showDevices);
-    connect(&studio_.virtualSuit(), &VirtualSuit::changed, this, &DevicesPanel::showVirtualSuit);
-    connect(&studio_.secondVirtualSuit(), &VirtualSuit::changed, this, &DevicesPanel::showVirtualSuit);
-    connect(&studio_.suits(), &LiveSuits::changed, this, &DevicesPanel::showVirtualSuit);
+    connect(&capture_.finder(), &SuitFinder::changed, this, &DevicesPanel::showDevices);
+    connect(&capture_.suits(), &LiveSuits::changed, this, &DevicesPanel::showDevices);
+    connect(&capture_.virtualSuit(), &VirtualSuit::changed, this, &DevicesPanel::showVirtualSuit);
+    connect(&capture_.secondVirtualSuit(), &VirtualSuit::changed, this, &DevicesPanel::showVirtualSuit);
+    connect(&capture_.suits(), &LiveSuits::changed, this, &DevicesPanel::showVirtualSuit);
     showDevices();
     showVirtualSuit();
 }
@@ -89,7 +89,7 @@ void DevicesPanel::addAddressForm(QVBoxLayout& column) {
 
 /// What is asked for appears in the list, and says there whether it answers.
 void DevicesPanel::askAddress() {
-    const QString why = studio_.finder().probe(address_->text().trimmed());
+    const QString why = capture_.finder().probe(address_->text().trimmed());
     problem_->setText(why);
     problem_->setVisible(!why.isEmpty());
     if (why.isEmpty())
@@ -101,19 +101,19 @@ QString DevicesPanel::addressProblem() const {
 }
 
 SuitInUse* DevicesPanel::wornOf(const KnownSuit& suit) const {
-    return suit.present ? studio_.suits().at(qt(suit.device.address)) : nullptr;
+    return suit.present ? capture_.suits().at(qt(suit.device.address)) : nullptr;
 }
 
 /// Of several suits: whose it is.
 void DevicesPanel::nameWearer(const SuitInUse& worn, DeviceWords& words) const {
-    if (studio_.suits().areSeveral())
+    if (capture_.suits().areSeveral())
         words.detail = tr("%1, worn by %2 %3", "a device, letter and name of a performer")
-                           .arg(words.detail, performerLetter(studio_.suits().letterOf(worn)),
-                                studio_.suits().nameOf(worn));
+                           .arg(words.detail, performerLetter(capture_.suits().letterOf(worn)),
+                                capture_.suits().nameOf(worn));
 }
 
 void DevicesPanel::showDevices() {
-    const auto& suits = studio_.finder().suits();
+    const auto& suits = capture_.finder().suits();
     while (cards_.size() > suits.size()) {
         delete cards_.back();
         cards_.pop_back();
@@ -123,10 +123,10 @@ void DevicesPanel::showDevices() {
         const size_t index = cards_.size();
         connect(card, &DeviceCard::activated, this, [this, index] {
             // A copy: what it does changes the list.
-            const KnownSuit suit = studio_.finder().suits().at(index);
+            const KnownSuit suit = capture_.finder().suits().at(index);
             act(suit);
         });
-        connect(card, &DeviceCard::named, &studio_.finder(), &SuitFinder::rename);
+        connect(card, &DeviceCard::named, &capture_.finder(), &SuitFinder::rename);
         cards_.push_back(card);
         list_column_->addWidget(card);
     }
@@ -153,7 +153,7 @@ DeviceWords DevicesPanel::wordsFor(const KnownSuit& suit) const {
         words.action = tr("Forget");
     } else if (const SuitInUse* worn = wornOf(suit)) {
         const LiveSuit::Phase phase = worn->suit.phase();
-        words.chosen = worn == &studio_.suits().current();
+        words.chosen = worn == &capture_.suits().current();
         nameWearer(*worn, words);
         words.action = tr("Disconnect");
         if (phase == LiveSuit::Phase::kRefused) {
@@ -180,7 +180,7 @@ DeviceWords DevicesPanel::wordsFor(const KnownSuit& suit) const {
         words.tone = Tone::kWarn;
         words.detail = tr("Another studio uses it");
     } else {
-        words.action = studio_.suits().connected().empty() ? tr("Connect") : tr("Add this suit");
+        words.action = capture_.suits().connected().empty() ? tr("Connect") : tr("Add this suit");
     }
     return words;
 }
@@ -188,19 +188,19 @@ DeviceWords DevicesPanel::wordsFor(const KnownSuit& suit) const {
 void DevicesPanel::act(const KnownSuit& suit) {
     const QString address = qt(suit.device.address);
     if (!suit.present)
-        studio_.finder().forget(qt(suit.device.serial));
+        capture_.finder().forget(qt(suit.device.serial));
     else if (SuitInUse* worn = wornOf(suit); worn && worn->suit.phase() == LiveSuit::Phase::kRefused)
         worn->suit.connectTo(address);
     else if (worn)
         worn->suit.disconnectSuit();
     else if (suit.device.contact == FoundDevice::Contact::kAnswers)
-        studio_.suits().add(address);
+        capture_.suits().add(address);
     else
-        studio_.finder().probe(address);
+        capture_.finder().probe(address);
 }
 
 void DevicesPanel::showVirtualSuit() {
-    VirtualSuit &first = studio_.virtualSuit(), &second = studio_.secondVirtualSuit();
+    VirtualSuit &first = capture_.virtualSuit(), &second = capture_.secondVirtualSuit();
     DeviceWords words = wordsForVirtual(first);
     words.name = tr("Virtual suit");
     virtual_card_->setWords(words);
@@ -210,14 +210,14 @@ void DevicesPanel::showVirtualSuit() {
     if (second.state() == VirtualSuit::State::kOff)
         words.action = tr("Add");
     second_virtual_card_->setWords(words);
-    const bool can_be_added = studio_.suits().at(first.address()) && !studio_.suits().isFull();
+    const bool can_be_added = capture_.suits().at(first.address()) && !capture_.suits().isFull();
     second_virtual_card_->setVisible(first.canBeTwo() &&
                                      (can_be_added || second.state() != VirtualSuit::State::kOff));
 }
 
 DeviceWords DevicesPanel::wordsForVirtual(VirtualSuit& suit) const {
     const SuitInUse* worn =
-        suit.state() == VirtualSuit::State::kOn ? studio_.suits().at(suit.address()) : nullptr;
+        suit.state() == VirtualSuit::State::kOn ? capture_.suits().at(suit.address()) : nullptr;
     DeviceWords words;
     words.icon = "play";
     words.detail = tr("A simulated performer, no hardware");
@@ -238,27 +238,27 @@ DeviceWords DevicesPanel::wordsForVirtual(VirtualSuit& suit) const {
                 nameWearer(*worn, words);
             }
             words.action = worn ? tr("Stop") : tr("Connect");
-            words.chosen = worn == &studio_.suits().current();
+            words.chosen = worn == &capture_.suits().current();
     }
     return words;
 }
 
 void DevicesPanel::actOnVirtualSuit() {
-    const VirtualSuit& suit = studio_.virtualSuit();
-    const bool elsewhere = suit.state() == VirtualSuit::State::kOn && !studio_.suits().at(suit.address());
+    const VirtualSuit& suit = capture_.virtualSuit();
+    const bool elsewhere = suit.state() == VirtualSuit::State::kOn && !capture_.suits().at(suit.address());
     if (suit.state() == VirtualSuit::State::kOff || elsewhere)
-        studio_.startVirtualSuit();
+        capture_.startVirtualSuit();
     else
-        studio_.stopVirtualSuit();
+        capture_.stopVirtualSuit();
 }
 
 void DevicesPanel::actOnSecondVirtualSuit() {
-    const VirtualSuit& suit = studio_.secondVirtualSuit();
-    const bool elsewhere = suit.state() == VirtualSuit::State::kOn && !studio_.suits().at(suit.address());
+    const VirtualSuit& suit = capture_.secondVirtualSuit();
+    const bool elsewhere = suit.state() == VirtualSuit::State::kOn && !capture_.suits().at(suit.address());
     if (suit.state() == VirtualSuit::State::kOff || elsewhere)
-        studio_.startSecondVirtualSuit();
+        capture_.startSecondVirtualSuit();
     else
-        studio_.stopSecondVirtualSuit();
+        capture_.stopSecondVirtualSuit();
 }
 
 }  // namespace noctule::ui

@@ -5,7 +5,7 @@
 #include <QLineEdit>
 #include <QWidget>
 
-#include "ui/models/studio.h"
+#include "ui/models/capture_context.h"
 
 class QVBoxLayout;
 
@@ -19,7 +19,7 @@ struct DeviceWords;
 class DevicesPanel : public QWidget {
     Q_OBJECT
 public:
-    explicit DevicesPanel(Studio& studio, QWidget* parent = nullptr);
+    explicit DevicesPanel(CaptureContext& capture, QWidget* parent = nullptr);
 
     /// In the order of the finder; the virtual suit comes after them.
     const std::vector<DeviceCard*>& cards() const { return cards_; }
@@ -42,7 +42,7 @@ private:
     SuitInUse* wornOf(const KnownSuit& suit) const;
     void nameWearer(const SuitInUse& worn, DeviceWords& words) const;
 
-    Studio& studio_;
+    CaptureContext& capture_;
     QWidget* list_;
     QVBoxLayout* list_column_;
     std::vector<DeviceCard*> cards_;

@@ -21,9 +21,9 @@ constexpr int kLeastRow = 16, kAroundRows = 52;
 
 }  // namespace
 
-LivePairs::LivePairs(Studio& studio, QWidget* parent)
+LivePairs::LivePairs(CaptureContext& capture, QWidget* parent)
     : QWidget(parent),
-      studio_(studio),
+      capture_(capture),
       grid_(new PairGrid),
       cell_(new ElidedLabel({}, TextRole::kSecondary, Ink::kLabel)) {
     auto* column = makeColumn(this, {16, 8, 16, 8}, 4);
@@ -34,7 +34,7 @@ LivePairs::LivePairs(Studio& studio, QWidget* parent)
     head->addWidget(new ConfidenceLegend);
     column->addWidget(grid_, 1);
     column->addWidget(cell_);
-    studio.suits().follow(&SuitCheck::changed, this, [this] {
+    capture.suits().follow(&SuitCheck::changed, this, [this] {
         if (isVisible())
             show(check().readiness());
     });

@@ -4,7 +4,7 @@
 
 #include <QWidget>
 
-#include "ui/models/studio.h"
+#include "ui/models/capture_context.h"
 #include "ui/plots/pair_grid.h"
 
 namespace noctule::ui {
@@ -15,7 +15,7 @@ class Label;
 class LivePairs : public QWidget {
     Q_OBJECT
 public:
-    explicit LivePairs(Studio& studio, QWidget* parent = nullptr);
+    explicit LivePairs(CaptureContext& capture, QWidget* parent = nullptr);
 
     PairGrid& grid() { return *grid_; }
     void setBoard(int board);
@@ -29,9 +29,9 @@ private:
     PairCell cellOf(const Readiness& readiness, int source, int board) const;
     void tellCell();
 
-    const SuitCheck& check() const { return studio_.check(); }
+    const SuitCheck& check() const { return capture_.check(); }
 
-    Studio& studio_;
+    CaptureContext& capture_;
     PairGrid* grid_;
     ElidedLabel* cell_;
 };

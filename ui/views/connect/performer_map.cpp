@@ -5,20 +5,20 @@
 
 namespace noctule::ui {
 
-BodyMap* makeSuitMap(Studio& studio, const Actor& actor, const Suit& suit) {
-    auto* map = new BodyMap(actor, suit, studio.body());
-    if (!studio.body())
-        studio.whenBodyIsThere(map, [map, &studio] { map->setBody(studio.body()); });
+BodyMap* makeSuitMap(SharedContext& shared, const Actor& actor, const Suit& suit) {
+    auto* map = new BodyMap(actor, suit, shared.body());
+    if (!shared.body())
+        shared.whenBodyIsThere(map, [map, &shared] { map->setBody(shared.body()); });
     for (int i = 0; i < map->boardCount(); ++i)
         map->setBoardState(i, Tone::kNeutral, BodyMap::tr("board %1").arg(i + 1));
     return map;
 }
 
-BodyMap* makePerformerMap(Studio& studio) {
-    const SessionModel& model = studio.session();
+BodyMap* makePerformerMap(SharedContext& shared) {
+    const SessionModel& model = shared.session();
     const Performer* performer =
         model.isOpen() ? model.session().findPerformer(model.session().current_performer) : nullptr;
-    return makeSuitMap(studio, defaultActor(performer ? performer->measures : BodyMeasures{}),
+    return makeSuitMap(shared, defaultActor(performer ? performer->measures : BodyMeasures{}),
                        performer ? performer->suit : defaultSuit());
 }
 

@@ -36,10 +36,10 @@ Tone worst(const Readiness& readiness, bool of_boards) {
 
 }  // namespace
 
-ReadinessPanel::ReadinessPanel(Studio& studio, QWidget* parent)
+ReadinessPanel::ReadinessPanel(CaptureContext& capture, QWidget* parent)
     : QWidget(parent),
-      studio_(studio),
-      suits_(new SuitCards(studio)),
+      capture_(capture),
+      suits_(new SuitCards(capture)),
       verdict_(new VerdictHeader),
       problems_(new QWidget),
       problem_column_(makeColumn(problems_, {}, 8)),
@@ -73,16 +73,16 @@ ReadinessPanel::ReadinessPanel(Studio& studio, QWidget* parent)
     foot_column->addWidget(way_on_);
     column->addWidget(foot);
     more_->hide();
-    studio_.suits().follow(&SuitCheck::changed, this, &ReadinessPanel::show);
-    studio_.suits().follow(&LiveSuit::phaseChanged, this, &ReadinessPanel::show);
-    studio_.suits().follow(&LiveSuit::blinkingChanged, this, &ReadinessPanel::showBlinking);
-    connect(&studio_.finder(), &SuitFinder::changed, this, &ReadinessPanel::showWaysWithoutSuit);
-    studio_.suits().follow(&CalibrationShelf::changed, this, &ReadinessPanel::showNumbers);
+    capture_.suits().follow(&SuitCheck::changed, this, &ReadinessPanel::show);
+    capture_.suits().follow(&LiveSuit::phaseChanged, this, &ReadinessPanel::show);
+    capture_.suits().follow(&LiveSuit::blinkingChanged, this, &ReadinessPanel::showBlinking);
+    connect(&capture_.finder(), &SuitFinder::changed, this, &ReadinessPanel::showWaysWithoutSuit);
+    capture_.suits().follow(&CalibrationShelf::changed, this, &ReadinessPanel::showNumbers);
     connect(more_, &QPushButton::clicked, this, [this] {
         shows_all_ = !shows_all_;
         show();
     });
-    connect(way_on_, &QPushButton::clicked, this, [this] { studio_.goTo(way_on_to_); });
+    connect(way_on_, &QPushButton::clicked, this, [this] { capture_.shared().goTo(way_on_to_); });
     show();
 }
 
@@ -96,24 +96,25 @@ QWidget* ReadinessPanel::makeWaysWithoutSuit() {
         column->addWidget(button);
         return button;
     };
-    connect_ = add(ButtonKind::kPrimary, {}, "link", [this] { studio_.suit().connectTo(found_address_); });
+    connect_ = add(ButtonKind::kPrimary, {}, "link", [this] { capture_.suit().connectTo(found_address_); });
     start_virtual_ = add(ButtonKind::kPrimary, tr("Start the virtual suit"), "play",
-                         [this] { studio_.startVirtualSuit(); });
+                         [this] { capture_.startVirtualSuit(); });
     start_virtual_beside_ = add(ButtonKind::kOutlined, tr("Start the virtual suit"), "play",
-                                [this] { studio_.startVirtualSuit(); });
-    add(ButtonKind::kOutlined, tr("Performer and suit"), "mesh", [this] { studio_.goTo(Step::kPerformer); });
+                                [this] { capture_.startVirtualSuit(); });
+    add(ButtonKind::kOutlined, tr("Performer and suit"), "mesh",
+        [this] { capture_.shared().goTo(Step::kPerformer); });
     add(ButtonKind::kOutlined, tr("Put the suit on"), "note", [this] { emit putSuitOnRequested(); });
     showWaysWithoutSuit();
     return ways;
 }
 
 void ReadinessPanel::showWaysWithoutSuit() {
-    const auto found = studio_.finder().connectable();
+    const auto found = capture_.finder().connectable();
     found_address_ = found ? QString::fromStdString(found->device.address) : QString();
     connect_->setVisible(found.has_value());
     if (found)
         connect_->setText(tr("Connect %1").arg(found->name));
-    const bool is_available = studio_.virtualSuit().isAvailable();
+    const bool is_available = capture_.virtualSuit().isAvailable();
     start_virtual_->setVisible(is_available && !found);
     start_virtual_beside_->setVisible(is_available && found);
 }
@@ -124,7 +125,7 @@ void ReadinessPanel::setGuest(QWidget* guest) {
 }
 
 void ReadinessPanel::show() {
-    const VerdictWords words = verdictOf(studio_.check());
+    const VerdictWords words = verdictOf(capture_.check());
     verdict_->setVerdict(words.tone, words.verdict, words.text);
     verdict_text_ = words.verdict;
     verdict_sentences_ = words.text;
@@ -135,7 +136,7 @@ void ReadinessPanel::show() {
 
 /// Cards stay where they are while the same problems last: only their words are renewed.
 void ReadinessPanel::showProblems() {
-    const std::vector<ReadinessProblem>& problems = studio_.check().readiness().problems;
+    const std::vector<ReadinessProblem>& problems = capture_.check().readiness().problems;
     if (!std::ranges::equal(problems, shown_, isSameProblem)) {
         for (ProblemCard* card : cards_)
             card->deleteLater();
@@ -150,7 +151,7 @@ void ReadinessPanel::showProblems() {
     for (const ReadinessProblem& problem : problems) {
         if (problem.accepted)
             continue;
-        const HindranceWords words = wordsOf(problem, studio_.check());
+        const HindranceWords words = wordsOf(problem, capture_.check());
         cards_[index]->setTexts(words.title, words.text);
         cards_[index]->setVisible(shows_all_ || index < kMostCards);
         ++index;
@@ -161,7 +162,7 @@ void ReadinessPanel::showProblems() {
 }
 
 void ReadinessPanel::addCard(const ReadinessProblem& problem) {
-    const HindranceWords words = wordsOf(problem, studio_.check());
+    const HindranceWords words = wordsOf(problem, capture_.check());
     auto* card = new ProblemCard(problem.hinders ? Tone::kError : Tone::kWarn, words.title, words.text);
     if (!words.action.isEmpty()) {
         Button* button = card->addAction(words.action, words.action_icon);
@@ -173,7 +174,7 @@ void ReadinessPanel::addCard(const ReadinessProblem& problem) {
     if (!words.accept.isEmpty())
         connect(
             card->addAction(words.accept), &QPushButton::clicked, this,
-            [this, problem] { studio_.check().goOnWithout(problem); }, Qt::QueuedConnection);
+            [this, problem] { capture_.check().goOnWithout(problem); }, Qt::QueuedConnection);
     problem_column_->addWidget(card);
     cards_.push_back(card);
 }
@@ -181,17 +182,17 @@ void ReadinessPanel::addCard(const ReadinessProblem& problem) {
 void ReadinessPanel::repair(Repair repair, const ReadinessProblem& problem) {
     switch (repair) {
         case Repair::kBlinkBoard:
-            studio_.suit().blinkBoard(problem.board);
+            capture_.suit().blinkBoard(problem.board);
             emit boardChosen(problem.board);
             break;
         case Repair::kPlaySource:
-            studio_.suit().playSource(problem.source);
+            capture_.suit().playSource(problem.source);
             break;
         case Repair::kCalibrate:
-            studio_.goTo(Step::kCalibrate);
+            capture_.shared().goTo(Step::kCalibrate);
             break;
         case Repair::kCheck:
-            studio_.checkSuit();
+            capture_.shared().checkSuit();
             break;
         case Repair::kNone:
             break;
@@ -201,11 +202,11 @@ void ReadinessPanel::repair(Repair repair, const ReadinessProblem& problem) {
 /// The lamp is lit for some seconds; the button that lit it says so meanwhile.
 void ReadinessPanel::showBlinking() {
     for (const auto& [button, problem] : blink_buttons_)
-        button->setText(wordsOf(problem, studio_.check()).action);
+        button->setText(wordsOf(problem, capture_.check()).action);
 }
 
 void ReadinessPanel::showNumbers() {
-    const SuitCheck& check = studio_.check();
+    const SuitCheck& check = capture_.check();
     const Readiness& readiness = check.readiness();
     const bool known = readiness.verdict != Readiness::Verdict::kWaiting && !readiness.boards.empty() &&
                        !check.lostSince().isValid();
@@ -236,7 +237,7 @@ void ReadinessPanel::showNumbers() {
 }
 
 void ReadinessPanel::showCalibration() {
-    const LiveSuit& suit = studio_.suit();
+    const LiveSuit& suit = capture_.suit();
     if (suit.phase() == LiveSuit::Phase::kNone || !suit.status()->hello)
         return numbers_->setValue(calibration_, {});
     const auto& calibration = suit.calibration();
@@ -248,17 +249,17 @@ void ReadinessPanel::showCalibration() {
         QDateTime::fromString(QString::fromStdString(calibration->created_utc), Qt::ISODate);
     numbers_->setValue(calibration_,
                        suit.isKnownExactly() ? tr("known exactly") : dateText(made.toLocalTime()),
-                       studio_.check().readiness().lack.isNone() ? Tone::kNeutral : Tone::kWarn);
+                       capture_.check().readiness().lack.isNone() ? Tone::kNeutral : Tone::kWarn);
     numbers_->setHint(calibration_,
-                      studio_.calibrations().remembered()
+                      capture_.calibrations().remembered()
                           ? tr("of this suit, from an earlier session (%1)", "an age").arg(ageText(made))
                           : QString());
 }
 
 /// Without a calibration the way on is to make one; recording stays possible on its own page.
 void ReadinessPanel::showWayOn() {
-    const Readiness& readiness = studio_.check().readiness();
-    const LiveSuit::Phase phase = studio_.suit().phase();
+    const Readiness& readiness = capture_.check().readiness();
+    const LiveSuit::Phase phase = capture_.suit().phase();
     const bool there = phase != LiveSuit::Phase::kNone && phase != LiveSuit::Phase::kRefused;
     way_on_->setVisible(there);
     ways_->setVisible(phase == LiveSuit::Phase::kNone);

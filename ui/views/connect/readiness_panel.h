@@ -4,7 +4,7 @@
 
 #include <QWidget>
 
-#include "ui/models/studio.h"
+#include "ui/models/capture_context.h"
 #include "ui/views/readiness_words.h"
 
 class QVBoxLayout;
@@ -20,7 +20,7 @@ class VerdictHeader;
 class ReadinessPanel : public QWidget {
     Q_OBJECT
 public:
-    explicit ReadinessPanel(Studio& studio, QWidget* parent = nullptr);
+    explicit ReadinessPanel(CaptureContext& capture, QWidget* parent = nullptr);
 
     const std::vector<ProblemCard*>& cards() const { return cards_; }
     Button* wayOn() { return way_on_; }
@@ -48,7 +48,7 @@ private:
     void showWayOn();
     QWidget* makeWaysWithoutSuit();
 
-    Studio& studio_;
+    CaptureContext& capture_;
     SuitCards* suits_;  ///< of several
     VerdictHeader* verdict_;
     QString verdict_text_, verdict_sentences_;

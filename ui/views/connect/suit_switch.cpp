@@ -3,19 +3,19 @@
 
 namespace noctule::ui {
 
-SuitSwitch::SuitSwitch(Studio& studio, QWidget* parent)
-    : PerformerButtons(tr("Shown"), parent), studio_(studio) {
-    connect(&studio.suits(), &LiveSuits::changed, this, &SuitSwitch::refresh);
+SuitSwitch::SuitSwitch(CaptureContext& capture, QWidget* parent)
+    : PerformerButtons(tr("Shown"), parent), capture_(capture) {
+    connect(&capture.suits(), &LiveSuits::changed, this, &SuitSwitch::refresh);
     connect(this, &PerformerButtons::chosen, this, [this](int index) {
-        const auto suits = studio_.suits().connected();
+        const auto suits = capture_.suits().connected();
         if (index < static_cast<int>(suits.size()))
-            studio_.suits().setCurrent(*suits[static_cast<size_t>(index)]);
+            capture_.suits().setCurrent(*suits[static_cast<size_t>(index)]);
     });
     refresh();
 }
 
 void SuitSwitch::refresh() {
-    LiveSuits& suits = studio_.suits();
+    LiveSuits& suits = capture_.suits();
     QStringList names;
     for (const SuitInUse* worn : suits.connected())
         names << suits.nameOf(*worn);

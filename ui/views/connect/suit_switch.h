@@ -2,7 +2,7 @@
 // Whose suit is looked at, where several are connected: a button for each performer. Hidden for one.
 #pragma once
 
-#include "ui/models/studio.h"
+#include "ui/models/capture_context.h"
 #include "ui/views/performer_buttons.h"
 
 namespace noctule::ui {
@@ -10,12 +10,12 @@ namespace noctule::ui {
 class SuitSwitch : public PerformerButtons {
     Q_OBJECT
 public:
-    explicit SuitSwitch(Studio& studio, QWidget* parent = nullptr);
+    explicit SuitSwitch(CaptureContext& capture, QWidget* parent = nullptr);
 
 private:
     void refresh();
 
-    Studio& studio_;
+    CaptureContext& capture_;
 };
 
 }  // namespace noctule::ui

@@ -53,7 +53,7 @@ void chooseData(QComboBox* box, const T& value) {
 
 }  // namespace
 
-ExportForm::ExportForm(Studio& studio, QWidget* parent)
+ExportForm::ExportForm(ReviewContext& review, QWidget* parent)
     : QWidget(parent),
       range(new QComboBox),
       format(new QComboBox),
@@ -70,7 +70,7 @@ ExportForm::ExportForm(Studio& studio, QWidget* parent)
       lock_feet(new QCheckBox(tr("Standing feet keep their place"))),
       name_pattern(new QLineEdit),
       try_one_frame(makeButton(ButtonKind::kOutlined, tr("Write one frame and check"))),
-      studio_(studio) {
+      review_(review) {
     auto* column = makeColumn(this, {20, 12, 20, 12}, 12);
     makeTakes();
     column->addWidget(makeWhat());
@@ -87,7 +87,7 @@ ExportForm::ExportForm(Studio& studio, QWidget* parent)
         connect(field, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &ExportForm::read);
     connect(takes_, &ExportTakeList::changed, this, &ExportForm::changed);
     connect(try_one_frame, &QPushButton::clicked, this, &ExportForm::tryWanted);
-    connect(&studio.take(), &TakeDocument::runsChanged, this, &ExportForm::refresh);
+    connect(&review.take(), &TakeDocument::runsChanged, this, &ExportForm::refresh);
     setSettings({});
 }
 
@@ -95,7 +95,7 @@ void ExportForm::makeTakes() {
     takes_part_ = new QWidget(this);
     auto* column = makeColumn(takes_part_, {20, 12, 20, 16}, 8);
     column->addWidget(new SectionHeader(tr("Takes")));
-    takes_ = new ExportTakeList(studio_);
+    takes_ = new ExportTakeList(review_);
     column->addWidget(takes_);
     auto* rows = new FormRows(kLabels);
     run->addItem(tr("As shown in Review"), static_cast<int>(ResultChoice::kShown));
@@ -232,7 +232,7 @@ void ExportForm::setSettings(const ExportSettings& settings) {
     lock_feet->setChecked(settings.lock_feet);
     name_pattern->setText(settings.name_pattern);
     own_from_->setValue(settings.own_from_s);
-    own_to_->setValue(settings.own_to_s > 0 ? settings.own_to_s : studio_.time().duration());
+    own_to_->setValue(settings.own_to_s > 0 ? settings.own_to_s : review_.time().duration());
     refresh();
 }
 
@@ -294,16 +294,17 @@ void ExportForm::refresh() {
     takes_->setResultsShown(choice == ResultChoice::kEach || choice == ResultChoice::kAll,
                             choice == ResultChoice::kEach);
     refreshWhere();
-    const auto overview = studio_.take().overview();
-    const int shown = studio_.take().shownRun();
+    const auto overview = review_.take().overview();
+    const int shown = review_.take().shownRun();
     run->setItemText(0, overview && shown >= 0
                             ? tr("Shown: %1").arg(runTitle(overview->runs[static_cast<size_t>(shown)]))
                             : tr("As shown in Review"));
 }
 
 void ExportForm::refreshWhere() {
-    const bool is_open = studio_.session().isOpen();
-    const QString folder = is_open ? exportFolder(studio_.session().session(), settings_) : settings_.folder;
+    const bool is_open = review_.shared().session().isOpen();
+    const QString folder =
+        is_open ? exportFolder(review_.shared().session().session(), settings_) : settings_.folder;
     const QFileInfo place(folder);
     folder_->setText(folder.isEmpty() ? tr("exports of the session")
                                       : tr("%1/%2").arg(place.dir().dirName(), place.fileName()));
@@ -320,22 +321,24 @@ QStringList ExportForm::resultsOf(const QString& take) const {
         return {takes_->chosenResult(take)};
     if (choice == ResultChoice::kAll)
         return takes_->resultNames(take);
-    const TakeDocument& open = studio_.take();
-    const bool is_open = open.isOpen() && openTakeName(studio_) == take;
+    const TakeDocument& open = review_.take();
+    const bool is_open = open.isOpen() && openTakeName(review_) == take;
     if (choice != ResultChoice::kShown || !is_open || open.shownRun() < 0)
         return {QString()};
     return {QString::fromStdString(open.overview()->runs[static_cast<size_t>(open.shownRun())].run.name)};
 }
 
 void ExportForm::chooseFolder() {
-    const QString start =
-        studio_.session().isOpen() ? exportFolder(studio_.session().session(), settings_) : QString();
+    const QString start = review_.shared().session().isOpen()
+                              ? exportFolder(review_.shared().session().session(), settings_)
+                              : QString();
     const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder for exported files"), start);
     if (folder.isEmpty())
         return;
     const bool is_usual =
-        studio_.session().isOpen() &&
-        QDir(folder) == QDir(QString::fromStdString(studio_.session().session().exportsFolder().string()));
+        review_.shared().session().isOpen() &&
+        QDir(folder) ==
+            QDir(QString::fromStdString(review_.shared().session().session().exportsFolder().string()));
     settings_.folder = is_usual ? QString() : folder;
     refresh();
     emit changed();

@@ -5,7 +5,7 @@
 #include <QMap>
 #include <QWidget>
 
-#include "ui/models/studio.h"
+#include "ui/models/review_context.h"
 #include "ui/views/export/export_settings.h"
 
 class QCheckBox;
@@ -23,7 +23,7 @@ class Label;
 class ExportForm : public QWidget {
     Q_OBJECT
 public:
-    explicit ExportForm(Studio& studio, QWidget* parent = nullptr);
+    explicit ExportForm(ReviewContext& review, QWidget* parent = nullptr);
 
     void setSettings(const ExportSettings& settings);
     const ExportSettings& settings() const { return settings_; }
@@ -64,7 +64,7 @@ private:
     void refreshWhere();
     void chooseFolder();
 
-    Studio& studio_;
+    ReviewContext& review_;
     ExportSettings settings_;
     bool setting_ = false;
     QWidget *takes_part_ = nullptr, *own_range_ = nullptr, *pictures_ = nullptr;

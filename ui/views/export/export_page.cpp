@@ -33,12 +33,12 @@ constexpr int kForm = 372, kBothSides = 780, kTakes = 640;
 constexpr int kMostNames = 3;
 }  // namespace
 
-ExportPage::ExportPage(Studio& studio, QWidget* parent)
+ExportPage::ExportPage(ReviewContext& review, QWidget* parent)
     : Page(parent),
-      studio_(studio),
-      presets_(studio.settings()),
+      review_(review),
+      presets_(review.shared().settings()),
       preset_list_(new ExportPresetList(presets_, this)),
-      form_(new ExportForm(studio)),
+      form_(new ExportForm(review)),
       results_panel_(new ExportResultsPanel),
       progress_(new JobProgress),
       state_(new Label({}, TextRole::kBody, Ink::kLabel)),
@@ -83,9 +83,9 @@ ExportPage::ExportPage(Studio& studio, QWidget* parent)
     });
     connect(form_, &ExportForm::tryWanted, this, &ExportPage::tryOneFrame);
     connect(results_panel_, &ExportResultsPanel::saveWanted, this, &ExportPage::saveCheck);
-    connect(&studio.take(), &TakeDocument::runsChanged, this, &ExportPage::refresh);
-    connect(&studio.shownBody(), &ShownBody::changed, this, &ExportPage::refresh);
-    connect(&studio.session(), &SessionModel::opened, this, [this] {
+    connect(&review.take(), &TakeDocument::runsChanged, this, &ExportPage::refresh);
+    connect(&review.shared().shownBody(), &ShownBody::changed, this, &ExportPage::refresh);
+    connect(&review.shared().session(), &SessionModel::opened, this, [this] {
         results_.reset();
         results_panel_->clear();
         refresh();
@@ -115,8 +115,8 @@ QWidget* ExportPage::leftDock() {
 }
 
 void ExportPage::enter() {
-    if (form_->takes().isEmpty() && openTakeIndex(studio_) >= 0)
-        form_->setTakes({openTakeName(studio_)});
+    if (form_->takes().isEmpty() && openTakeIndex(review_) >= 0)
+        form_->setTakes({openTakeName(review_)});
     refresh();
     write_->setFocus();
 }
@@ -126,7 +126,7 @@ void ExportPage::choosePreset(const QString& key) {
 }
 
 Result<std::vector<ExportJob>> ExportPage::plan() const {
-    if (!studio_.session().isOpen())
+    if (!review_.shared().session().isOpen())
         return Error{ErrorKind::kUsage, tr("No session is open").toStdString(),
                      tr("Open one first").toStdString()};
     const QStringList chosen = form_->takes();
@@ -154,8 +154,8 @@ Result<std::vector<ExportJob>> ExportPage::plan() const {
 /// In one format. Takes of one file stand together.
 Result<std::vector<ExportJob>> ExportPage::planOf(const ExportSettings& settings,
                                                   const QStringList& takes) const {
-    const Session& session = studio_.session().session();
-    const ExportSurroundings surroundings{session, studio_.look(),
+    const Session& session = review_.shared().session().session();
+    const ExportSurroundings surroundings{session, review_.shared().look(),
                                           QDate::currentDate().toString(Qt::ISODate)};
     std::set<std::string> taken;
     std::vector<ExportJob> jobs;
@@ -207,8 +207,9 @@ void ExportPage::refresh() {
         form_->setPreview(problem, true);
     }
     state_->setVisible(!progress_->isVisibleTo(this));
-    const QString folder =
-        studio_.session().isOpen() ? exportFolder(studio_.session().session(), form_->settings()) : QString();
+    const QString folder = review_.shared().session().isOpen()
+                               ? exportFolder(review_.shared().session().session(), form_->settings())
+                               : QString();
     const QStorageInfo disk(QFileInfo::exists(folder) ? folder : QFileInfo(folder).path());
     const QString room = disk.isValid() ? tr("%1 free.").arg(bytesText(disk.bytesAvailable())) : QString();
     state_->setText(isWritten() ? tr("Took %1. %2").arg(secondsText(results_->seconds), room)
@@ -236,8 +237,8 @@ void ExportPage::tryOneFrame() {
     if (!jobs || progress_->isRunning())
         return;
     const ExportRequest& first = jobs->front().request;
-    const bool is_open = studio_.take().path().toStdString() == first.take_path;
-    const double time_s = is_open ? studio_.time().time() : first.from_s.value_or(0);
+    const bool is_open = review_.take().path().toStdString() == first.take_path;
+    const double time_s = is_open ? review_.time().time() : first.from_s.value_or(0);
     start(
         tr("Writing one frame of %1").arg(jobs->front().take),
         [job = jobs->front(), time_s](const JobContext& context) {
@@ -248,7 +249,7 @@ void ExportPage::tryOneFrame() {
 
 void ExportPage::start(const QString& title, std::function<Result<ExportResults>(const JobContext&)> work,
                        bool is_trial) {
-    Job* job = studio_.jobs().start<ExportResults>(
+    Job* job = review_.shared().jobs().start<ExportResults>(
         title, std::move(work), [self = QPointer(this), is_trial](Result<ExportResults> results) -> QString {
             if (self)
                 self->present(results, is_trial);
@@ -276,23 +277,23 @@ void ExportPage::present(const Result<ExportResults>& results, bool is_trial) {
 }
 
 void ExportPage::openFolder() {
-    if (studio_.session().isOpen())
-        showFolder(studio_, exportFolder(studio_.session().session(), form_->settings()));
+    if (review_.shared().session().isOpen())
+        showFolder(review_.shared(), exportFolder(review_.shared().session().session(), form_->settings()));
 }
 
 void ExportPage::saveCheck() {
     if (!results_)
         return;
-    const QString folder = exportFolder(studio_.session().session(), form_->settings());
+    const QString folder = exportFolder(review_.shared().session().session(), form_->settings());
     const QString path = QFileDialog::getSaveFileName(this, tr("Save the check"),
                                                       folder + "/" + tr("check.txt"), tr("Text (*.txt)"));
     if (path.isEmpty())
         return;
     const Status saved = writeFileAtomically(path.toStdString(), checkAsText(*results_).toStdString(), true);
     if (saved)
-        emit studio_.said(tr("%1 is written.").arg(QDir::toNativeSeparators(path)));
+        emit review_.shared().said(tr("%1 is written.").arg(QDir::toNativeSeparators(path)));
     else
-        emit studio_.failed(coreWords(saved.error().message), coreWords(saved.error().remedy));
+        emit review_.shared().failed(coreWords(saved.error().message), coreWords(saved.error().remedy));
 }
 
 void ExportPage::saveOwnPreset() {
@@ -326,7 +327,7 @@ void ExportPage::keyPressEvent(QKeyEvent* event) {
     if (is_enter && write_->isVisible() && write_->isEnabled())
         write();
     else if (event->key() == Qt::Key_Escape)
-        studio_.goTo(Step::kReview);
+        review_.shared().goTo(Step::kReview);
     else
         Page::keyPressEvent(event);
 }

@@ -2,7 +2,7 @@
 // What is missing for the next program? Takes as files, made for it, written, read again and checked.
 #pragma once
 
-#include "ui/models/studio.h"
+#include "ui/models/review_context.h"
 #include "ui/views/export/export_run.h"
 #include "ui/views/export/export_settings.h"
 #include "ui/views/page.h"
@@ -22,7 +22,7 @@ class Label;
 class ExportPage : public Page {
     Q_OBJECT
 public:
-    explicit ExportPage(Studio& studio, QWidget* parent = nullptr);
+    explicit ExportPage(ReviewContext& review, QWidget* parent = nullptr);
 
     QString title() const override { return tr("Export"); }
     QWidget* leftDock() override;
@@ -69,7 +69,7 @@ private:
     void saveOwnPreset();
     void removeOwnPreset(const QString& key);
 
-    Studio& studio_;
+    ReviewContext& review_;
     ExportPresets presets_;
     PerformerCounts performers_;
     ExportPresetList* preset_list_;

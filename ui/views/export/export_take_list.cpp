@@ -37,7 +37,8 @@ Result<ExportTakeList::ResultsOfTakes> ExportTakeList::newResults(
     return results;
 }
 
-ExportTakeList::ExportTakeList(Studio& studio, QWidget* parent) : QTreeWidget(parent), studio_(studio) {
+ExportTakeList::ExportTakeList(ReviewContext& review, QWidget* parent)
+    : QTreeWidget(parent), review_(review) {
     setColumnCount(2);
     setHeaderHidden(true);
     setRootIsDecorated(false);
@@ -51,18 +52,18 @@ ExportTakeList::ExportTakeList(Studio& studio, QWidget* parent) : QTreeWidget(pa
     header()->setSectionResizeMode(1, QHeaderView::Fixed);
     setColumnHidden(1, true);
     connect(this, &QTreeWidget::itemChanged, this, &ExportTakeList::changed);
-    connect(&studio.session(), &SessionModel::opened, this, [this] {
+    connect(&review.shared().session(), &SessionModel::opened, this, [this] {
         results_.clear();
         chosen_.clear();
         readTakes();
         readResults();
     });
-    connect(&studio.session(), &SessionModel::changed, this, [this] {
+    connect(&review.shared().session(), &SessionModel::changed, this, [this] {
         readTakes();
         readResults();
     });
-    connect(&studio.session(), &SessionModel::takeRenamed, this, &ExportTakeList::followRename);
-    connect(&studio.take(), &TakeDocument::runsChanged, this, &ExportTakeList::readResults);
+    connect(&review.shared().session(), &SessionModel::takeRenamed, this, &ExportTakeList::followRename);
+    connect(&review.take(), &TakeDocument::runsChanged, this, &ExportTakeList::readResults);
     connect(&Theme::get(), &Theme::changed, this, &ExportTakeList::readTakes);
     readTakes();
 }
@@ -72,8 +73,8 @@ void ExportTakeList::readTakes() {
     {
         const QSignalBlocker quiet(this);
         clear();
-        if (studio_.session().isOpen())
-            for (const SessionTake& take : studio_.session().session().takes)
+        if (review_.shared().session().isOpen())
+            for (const SessionTake& take : review_.shared().session().session().takes)
                 addTake(take, names.contains(QString::fromStdString(take.name)));
         setColumnWidth(1, Theme::get().px(kResults));
         const int rows = std::clamp(topLevelItemCount(), kFewestRows, kMostRows);
@@ -140,14 +141,14 @@ void ExportTakeList::setResultsShown(bool shown, bool choosable) {
 }
 
 void ExportTakeList::readResults() {
-    if (!results_shown_ || !studio_.session().isOpen())
+    if (!results_shown_ || !review_.shared().session().isOpen())
         return;
-    const Session& session = studio_.session().session();
+    const Session& session = review_.shared().session().session();
     std::vector<std::pair<QString, std::string>> takes;
     for (const SessionTake& take : session.takes)
         if (take.processed)
             takes.emplace_back(QString::fromStdString(take.name), session.pathOf(take).string());
-    studio_.jobs().start<ResultsOfTakes>(
+    review_.shared().jobs().start<ResultsOfTakes>(
         tr("Looking at results"),
         [takes = std::move(takes), known = results_](const JobContext& job) {
             return newResults(takes, known, job);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/review/take_review.h"
-#include "ui/models/studio.h"
+#include "ui/models/review_context.h"
 
 class QComboBox;
 
@@ -17,7 +17,7 @@ namespace noctule::ui {
 class ExportTakeList : public QTreeWidget {
     Q_OBJECT
 public:
-    explicit ExportTakeList(Studio& studio, QWidget* parent = nullptr);
+    explicit ExportTakeList(ReviewContext& review, QWidget* parent = nullptr);
 
     /// Names of the takes that are ticked, in the order of the session.
     QStringList ticked() const;
@@ -50,7 +50,7 @@ private:
     void addResults(QTreeWidgetItem* item);
     void followRename(const QString& old_path, const QString& new_path);
 
-    Studio& studio_;
+    ReviewContext& review_;
     bool results_shown_ = false, choosable_ = false;
     int ticket_ = 0;                 ///< what an earlier reading found is dropped
     ResultsOfTakes results_;         ///< by take

@@ -31,7 +31,7 @@ bool isMain(const std::string& joint) {
 
 }  // namespace
 
-BodyDialog::BodyDialog(Studio& studio, QWidget* parent)
+BodyDialog::BodyDialog(SharedContext& shared, QWidget* parent)
     : DialogFrame(
           tr("Body of the view"),
           tr("Views, pictures and films of this session show this body, moved by the captured motion."),
@@ -40,8 +40,8 @@ BodyDialog::BodyDialog(Studio& studio, QWidget* parent)
       ours(makeButton(ButtonKind::kText, tr("Noctule's own"))),
       find_again(makeButton(ButtonKind::kText, tr("Find again"))),
       blending(new QComboBox),
-      studio_(studio),
-      draft_(studio.session().session().body),
+      shared_(shared),
+      draft_(shared.session().session().body),
       name_(new Label),
       heading_(new Label({}, TextRole::kSection, Ink::kValue, true)),
       progress_(new JobProgress) {
@@ -81,7 +81,7 @@ BodyDialog::BodyDialog(Studio& studio, QWidget* parent)
 }
 
 void BodyDialog::chooseFile() {
-    QSettings& settings = studio_.settings();
+    QSettings& settings = shared_.settings();
     const QString path =
         QFileDialog::getOpenFileName(this, tr("Choose a mesh"), settings.value(kFolderKey).toString(),
                                      tr("Meshes (*.glb *.gltf *.vrm *.fbx *.dae *.obj *.ply)"));
@@ -92,7 +92,7 @@ void BodyDialog::chooseFile() {
 }
 
 void BodyDialog::setMesh(const QString& path) {
-    const Session& session = studio_.session().session();
+    const Session& session = shared_.session().session();
     draft_.mesh = path.isEmpty() ? std::string() : meshNameIn(session.folder, path.toStdString());
     draft_.choices = {};
     readMesh();
@@ -107,14 +107,14 @@ void BodyDialog::readMesh() {
     problem_.reset();
     clearRows();
     if (!draft_.isOurs()) {
-        reading_ = studio_.shownBody().read(draft_, this, [this](const ReadBody& read) { present(read); });
+        reading_ = shared_.shownBody().read(draft_, this, [this](const ReadBody& read) { present(read); });
         progress_->follow(reading_);
     }
     refresh();
 }
 
 void BodyDialog::present(const ReadBody& read) {
-    if (read.path != draft_.pathIn(studio_.session().session().folder).string())
+    if (read.path != draft_.pathIn(shared_.session().session().folder).string())
         return;  // another was chosen meanwhile
     mesh_ = read.mesh;
     problem_ = read.problem;
@@ -221,7 +221,7 @@ void BodyDialog::findAgain() {
 
 void BodyDialog::refresh() {
     const bool reading = reading_ && reading_->state() == Job::State::kRunning;
-    const QString path = QString::fromStdString(draft_.pathIn(studio_.session().session().folder).string());
+    const QString path = QString::fromStdString(draft_.pathIn(shared_.session().session().folder).string());
     name_->setText(draft_.isOurs() ? tr("Noctule's own, in the performer's measures")
                                    : QFileInfo(path).fileName());
     name_->setToolTip(draft_.isOurs() ? QString() : path);
@@ -250,7 +250,7 @@ QComboBox* BodyDialog::boneOf(const std::string& joint) const {
 }
 
 void BodyDialog::accept() {
-    studio_.session().setBody(draft_);
+    shared_.session().setBody(draft_);
     DialogFrame::accept();
 }
 

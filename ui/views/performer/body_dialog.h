@@ -6,7 +6,7 @@
 
 #include <map>
 
-#include "ui/models/studio.h"
+#include "ui/models/shared_context.h"
 #include "ui/views/dialog_frame.h"
 
 class QComboBox;
@@ -22,7 +22,7 @@ class BodyDialog : public DialogFrame {
     Q_OBJECT
 public:
     /// Only while a session is open.
-    explicit BodyDialog(Studio& studio, QWidget* parent = nullptr);
+    explicit BodyDialog(SharedContext& shared, QWidget* parent = nullptr);
 
     /// What the session gets.
     const SessionBody& draft() const { return draft_; }
@@ -60,7 +60,7 @@ private:
     void refresh();
     BoneMap shownBones() const;
 
-    Studio& studio_;
+    SharedContext& shared_;
     SessionBody draft_;
     std::shared_ptr<const RiggedMesh> mesh_;
     std::optional<Error> problem_;

@@ -16,13 +16,13 @@
 
 namespace noctule::ui {
 
-PerformerPage::PerformerPage(Studio& studio, QWidget* parent)
+PerformerPage::PerformerPage(ReviewContext& review, QWidget* parent)
     : Page(parent),
-      editor_(new PerformerEditor(studio.session(), this)),
+      editor_(new PerformerEditor(review.shared().session(), this)),
       centre_(new QStackedWidget),
       empty_(new EmptyState(tr("Performers belong to a session. Make one or open one first."),
                             tr("Go to Start"))),
-      scene_(new SceneView(studio, nullptr, Step::kPerformer)),
+      scene_(new SceneView(review, nullptr, Step::kPerformer)),
       placement_(new PerformerPlacementPanel(*editor_)),
       left_(makeLeft()),
       right_(new ScrollArea(placement_)) {
@@ -31,7 +31,7 @@ PerformerPage::PerformerPage(Studio& studio, QWidget* parent)
     centre_->addWidget(empty_);
     addActions();
     setDockTitles(tr("Performers"), tr("Boards and sources"));
-    connect(empty_, &EmptyState::activated, this, [&studio] { studio.goTo(Step::kStart); });
+    connect(empty_, &EmptyState::activated, this, [&review] { review.shared().goTo(Step::kStart); });
     connect(scene_, &SceneView::partChosen, editor_, &PerformerEditor::choosePart);
     connect(scene_, &SceneView::placementDragged, editor_, &PerformerEditor::drag);
     connect(scene_, &SceneView::dragEnded, editor_, &PerformerEditor::endDrag);

@@ -3,7 +3,7 @@
 // every board and source sits. What is dragged, typed and undone shows at once everywhere.
 #pragma once
 
-#include "ui/models/studio.h"
+#include "ui/models/review_context.h"
 #include "ui/views/page.h"
 
 class QStackedWidget;
@@ -20,7 +20,7 @@ class SceneView;
 class PerformerPage : public Page {
     Q_OBJECT
 public:
-    explicit PerformerPage(Studio& studio, QWidget* parent = nullptr);
+    explicit PerformerPage(ReviewContext& review, QWidget* parent = nullptr);
 
     QString title() const override { return tr("Performer and suit"); }
     QWidget* leftDock() override { return left_; }

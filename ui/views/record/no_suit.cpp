@@ -9,9 +9,9 @@
 
 namespace noctule::ui {
 
-NoSuit::NoSuit(Studio& studio, QWidget* parent)
+NoSuit::NoSuit(CaptureContext& capture, QWidget* parent)
     : QWidget(parent),
-      studio_(studio),
+      capture_(capture),
       sentence_(new Label({}, TextRole::kSection, Ink::kLabel)),
       connect_(makeButton(ButtonKind::kPrimary, tr("Connect a suit"), "link")),
       virtual_(makeButton(ButtonKind::kOutlined, tr("Start the virtual suit"), "play")) {
@@ -30,14 +30,14 @@ NoSuit::NoSuit(Studio& studio, QWidget* parent)
     buttons->addWidget(virtual_);
     buttons->addStretch();
     column->addStretch();
-    connect(connect_, &QPushButton::clicked, this, [this] { studio_.goTo(Step::kConnect); });
-    connect(virtual_, &QPushButton::clicked, this, [this] { studio_.startVirtualSuit(); });
-    connect(&studio.virtualSuit(), &VirtualSuit::changed, this, &NoSuit::refresh);
+    connect(connect_, &QPushButton::clicked, this, [this] { capture_.shared().goTo(Step::kConnect); });
+    connect(virtual_, &QPushButton::clicked, this, [this] { capture_.startVirtualSuit(); });
+    connect(&capture.virtualSuit(), &VirtualSuit::changed, this, &NoSuit::refresh);
     refresh();
 }
 
 void NoSuit::refresh() {
-    const VirtualSuit& suit = studio_.virtualSuit();
+    const VirtualSuit& suit = capture_.virtualSuit();
     const bool comes =
         suit.state() == VirtualSuit::State::kPreparing || suit.state() == VirtualSuit::State::kStarting;
     sentence_->setText(

@@ -4,7 +4,7 @@
 
 #include <QWidget>
 
-#include "ui/models/studio.h"
+#include "ui/models/capture_context.h"
 
 namespace noctule::ui {
 
@@ -14,7 +14,7 @@ class Label;
 class NoSuit : public QWidget {
     Q_OBJECT
 public:
-    explicit NoSuit(Studio& studio, QWidget* parent = nullptr);
+    explicit NoSuit(CaptureContext& capture, QWidget* parent = nullptr);
 
     Button* connectButton() { return connect_; }
     Button* virtualSuitButton() { return virtual_; }
@@ -22,7 +22,7 @@ public:
 private:
     void refresh();
 
-    Studio& studio_;
+    CaptureContext& capture_;
     Label* sentence_;
     Button* connect_;
     Button* virtual_;

@@ -26,21 +26,24 @@ QString sentences(const RecordObstacle& obstacle) {
 
 }  // namespace
 
-RecordRun::RecordRun(Studio& studio, QObject* parent)
+RecordRun::RecordRun(CaptureContext& capture, QObject* parent)
     : QObject(parent),
-      studio_(studio),
-      countdown_s_(studio.settings().value(kCountdown, kUsualCountdown_s).toInt()),
-      pre_roll_s_(studio.settings().value(kPreRoll, 0).toInt()),
-      tones_(studio.settings().value(kTones, true).toBool()),
-      opens_review_(studio.settings().value(kReview, true).toBool()),
-      base_(studio.settings().value(kBase, tr("take", "first part of the names of takes")).toString()) {
+      capture_(capture),
+      countdown_s_(capture.shared().settings().value(kCountdown, kUsualCountdown_s).toInt()),
+      pre_roll_s_(capture.shared().settings().value(kPreRoll, 0).toInt()),
+      tones_(capture.shared().settings().value(kTones, true).toBool()),
+      opens_review_(capture.shared().settings().value(kReview, true).toBool()),
+      base_(capture.shared()
+                .settings()
+                .value(kBase, tr("take", "first part of the names of takes"))
+                .toString()) {
     tick_.setInterval(kTick_ms);
     tick_.setTimerType(Qt::PreciseTimer);
     connect(&tick_, &QTimer::timeout, this, [this] {
         count();
         emit ticked();
     });
-    LiveSuits& suits = studio.suits();
+    LiveSuits& suits = capture.suits();
     suits.forEach(this, [this](SuitInUse& worn) {
         connect(&worn.suit, &LiveSuit::phaseChanged, this, &RecordRun::follow);
         connect(&worn.suit, &LiveSuit::statusChanged, this, &RecordRun::follow);
@@ -50,19 +53,19 @@ RecordRun::RecordRun(Studio& studio, QObject* parent)
     connect(&suits, &LiveSuits::changed, this, &RecordRun::follow);
     connect(&suits, &LiveSuits::recordingStarted, this, &RecordRun::onStarted);
     connect(&suits, &LiveSuits::recordingEnded, this, &RecordRun::onEnded);
-    connect(&studio.session(), &SessionModel::opened, this, [this] {
+    connect(&capture.shared().session(), &SessionModel::opened, this, [this] {
         shot_ = -1;
         without_shot_ = false;
         chooseDueShot();
     });
-    connect(&studio.session(), &SessionModel::changed, this, &RecordRun::followSession);
+    connect(&capture.shared().session(), &SessionModel::changed, this, &RecordRun::followSession);
     chooseDueShot();
     follow();
 }
 
 /// Of several suits the first that has one, with the name of who wears it.
 RecordObstacle RecordRun::obstacleNow() const {
-    LiveSuits& suits = studio_.suits();
+    LiveSuits& suits = capture_.suits();
     if (!suits.areSeveral())
         return obstacleOf(suits.current());
     RecordObstacle mild;
@@ -104,7 +107,7 @@ RecordObstacle RecordRun::obstacleOf(const SuitInUse& worn) {
 }
 
 RecordRun::State RecordRun::stateNow() const {
-    switch (studio_.suits().phase()) {
+    switch (capture_.suits().phase()) {
         case LiveSuit::Phase::kNone:
             return State::kNoSuit;
         case LiveSuit::Phase::kStarting:
@@ -126,7 +129,7 @@ void RecordRun::follow() {
                       std::exchange(suits_, suitCount()) == suitCount();
     obstacle_ = obstacle;
     const bool cannot = obstacle_ && !obstacle_.may_record_anyway;
-    if (cannot || studio_.suits().phase() == LiveSuit::Phase::kNone)
+    if (cannot || capture_.suits().phase() == LiveSuit::Phase::kNone)
         counting_.invalidate();
     const State now = stateNow();
     if (now == state_ && same)
@@ -200,7 +203,7 @@ void RecordRun::count() {
 
 void RecordRun::beginOwn() {
     if (const QString why = begin(base_); !why.isEmpty())
-        emit studio_.failed(tr("Recording did not begin"), why);
+        emit capture_.shared().failed(tr("Recording did not begin"), why);
 }
 
 QString RecordRun::begin(const QString& base) {
@@ -209,16 +212,16 @@ QString RecordRun::begin(const QString& base) {
     plan.base_name = base;
     plan.pre_roll_s = preRollSeconds();
     if (shot_ >= 0)
-        plan.shot =
-            QString::fromStdString(studio_.session().session().shots[static_cast<size_t>(shot_)].name);
-    const QString why = studio_.suits().record(plan);
+        plan.shot = QString::fromStdString(
+            capture_.shared().session().session().shots[static_cast<size_t>(shot_)].name);
+    const QString why = capture_.suits().record(plan);
     follow();
     return why;
 }
 
 void RecordRun::stop() {
     cue(tr("Stopped"));
-    studio_.suits().stopRecording();
+    capture_.suits().stopRecording();
 }
 
 void RecordRun::beginFromElsewhere(const QString& name, const QString& notes) {
@@ -232,7 +235,7 @@ void RecordRun::beginFromElsewhere(const QString& name, const QString& notes) {
     if (why.isEmpty())
         told_notes_ = notes.trimmed();
     else
-        emit studio_.failed(tr("Another program asked for a recording, which did not begin"), why);
+        emit capture_.shared().failed(tr("Another program asked for a recording, which did not begin"), why);
 }
 
 void RecordRun::stopFromElsewhere() {
@@ -254,40 +257,40 @@ void RecordRun::onEnded(const QString& take, const QString& trouble) {
     running_.clear();
     if (!trouble.isEmpty()) {
         cue(tr("The recording has ended by itself"));
-        emit studio_.failed(tr("%1 ended by itself", "name of a take").arg(take), trouble);
+        emit capture_.shared().failed(tr("%1 ended by itself", "name of a take").arg(take), trouble);
     }
     chooseDueShot();
     emit changed();
-    SessionModel& session = studio_.session();
+    SessionModel& session = capture_.shared().session();
     const int index = session.isOpen() ? session.session().findTake(take.toStdString()) : -1;
     if (index < 0)
         return;
     session.setCurrentTake(index);
     if (opens_review_)
-        studio_.goTo(Step::kReview);
+        capture_.shared().goTo(Step::kReview);
 }
 
 void RecordRun::setCountdownSeconds(int seconds) {
     countdown_s_ = seconds;
-    studio_.settings().setValue(kCountdown, seconds);
+    capture_.shared().settings().setValue(kCountdown, seconds);
     emit changed();
 }
 
 void RecordRun::setPreRollSeconds(int seconds) {
     pre_roll_s_ = seconds;
-    studio_.settings().setValue(kPreRoll, seconds);
+    capture_.shared().settings().setValue(kPreRoll, seconds);
     emit changed();
 }
 
 void RecordRun::setTones(bool tones) {
     tones_ = tones;
-    studio_.settings().setValue(kTones, tones);
+    capture_.shared().settings().setValue(kTones, tones);
     emit changed();
 }
 
 void RecordRun::setOpensReview(bool opens) {
     opens_review_ = opens;
-    studio_.settings().setValue(kReview, opens);
+    capture_.shared().settings().setValue(kReview, opens);
     emit changed();
 }
 
@@ -303,7 +306,7 @@ QString RecordRun::takeName() const {
 }
 
 QString RecordRun::nextName() const {
-    const SessionModel& session = studio_.session();
+    const SessionModel& session = capture_.shared().session();
     const std::string base = base_.toStdString();
     return QString::fromStdString(session.isOpen()
                                       ? nextTakeName(session.session(), base)
@@ -313,7 +316,7 @@ QString RecordRun::nextName() const {
 void RecordRun::setName(const QString& typed) {
     if (!typed.trimmed().isEmpty()) {
         base_ = QString::fromStdString(takeBaseName(typed.trimmed().toStdString()));
-        studio_.settings().setValue(kBase, base_);
+        capture_.shared().settings().setValue(kBase, base_);
     }
     emit changed();
 }
@@ -324,7 +327,7 @@ void RecordRun::setShot(int shot) {
 }
 
 void RecordRun::applyShot(int shot) {
-    const SessionModel& session = studio_.session();
+    const SessionModel& session = capture_.shared().session();
     const int count = session.isOpen() ? static_cast<int>(session.session().shots.size()) : 0;
     shot_ = shot >= 0 && shot < count ? shot : -1;
     if (shot_ >= 0)
@@ -333,13 +336,13 @@ void RecordRun::applyShot(int shot) {
 }
 
 void RecordRun::chooseDueShot() {
-    const SessionModel& session = studio_.session();
+    const SessionModel& session = capture_.shared().session();
     applyShot(session.isOpen() && !without_shot_ ? dueShot(session.session(), shot_) : -1);
 }
 
 /// The list may have become another one under the shot that was chosen.
 void RecordRun::followSession() {
-    const SessionModel& session = studio_.session();
+    const SessionModel& session = capture_.shared().session();
     const int count = session.isOpen() ? static_cast<int>(session.session().shots.size()) : 0;
     if (state_ != State::kRecording && state_ != State::kSaving && (shot_ >= count || shot_ < 0))
         chooseDueShot();
@@ -350,16 +353,16 @@ void RecordRun::addMarker() {
     if (state_ != State::kRecording || running_.isEmpty())
         return;
     const QString label = tr("Marker %1").arg(++markers_);
-    studio_.suits().addMarker(label);
-    marks_.push_back({TakeMark::Kind::kMarker, studio_.suits().recordedSeconds(), label});
+    capture_.suits().addMarker(label);
+    marks_.push_back({TakeMark::Kind::kMarker, capture_.suits().recordedSeconds(), label});
     emit marksChanged();
 }
 
 void RecordRun::addNote(const QString& text) {
     if (state_ != State::kRecording || running_.isEmpty() || text.trimmed().isEmpty())
         return;
-    const double t_s = studio_.suits().recordedSeconds();
-    studio_.suits().addNote(QStringLiteral("%1 %2").arg(timeText(t_s), text.trimmed()));
+    const double t_s = capture_.suits().recordedSeconds();
+    capture_.suits().addNote(QStringLiteral("%1 %2").arg(timeText(t_s), text.trimmed()));
     marks_.push_back({TakeMark::Kind::kNote, t_s, text.trimmed()});
     emit marksChanged();
 }

@@ -9,7 +9,7 @@
 #include <QTimer>
 #include <vector>
 
-#include "ui/models/studio.h"
+#include "ui/models/capture_context.h"
 
 namespace noctule::ui {
 
@@ -32,13 +32,13 @@ class RecordRun : public QObject {
 public:
     enum class State { kNoSuit, kReady, kRefused, kCountdown, kRecording, kSaving };
 
-    explicit RecordRun(Studio& studio, QObject* parent = nullptr);
+    explicit RecordRun(CaptureContext& capture, QObject* parent = nullptr);
 
     State state() const { return state_; }
     /// In kRefused, what stands in the way.
     const RecordObstacle& obstacle() const { return obstacle_; }
     /// Suits that a take records.
-    int suitCount() const { return static_cast<int>(studio_.suits().connected().size()); }
+    int suitCount() const { return static_cast<int>(capture_.suits().connected().size()); }
     /// Begins, ends the countdown, or stops; refused it tells why.
     void press();
     /// As if nothing stood in the way, where that is safe.
@@ -56,7 +56,7 @@ public:
     void setCountdownSeconds(int seconds);
     /// The take begins so long before the recording does; 0 where the suit allows none.
     int preRollSeconds() const { return canPreRoll() ? pre_roll_s_ : 0; }
-    bool canPreRoll() const { return studio_.suits().canPreRoll(); }
+    bool canPreRoll() const { return capture_.suits().canPreRoll(); }
     void setPreRollSeconds(int seconds);
     bool tones() const { return tones_; }
     void setTones(bool tones);
@@ -104,7 +104,7 @@ private:
     /// Heard with one's back to the screen.
     void cue(const QString& words) const;
 
-    Studio& studio_;
+    CaptureContext& capture_;
     State state_ = State::kNoSuit;
     int suits_ = 0;  ///< connected, when this was told last
     RecordObstacle obstacle_;

@@ -72,9 +72,9 @@ private:
 
 }  // namespace
 
-ShotList::ShotList(Studio& studio, RecordRun& run, QWidget* parent)
+ShotList::ShotList(CaptureContext& capture, RecordRun& run, QWidget* parent)
     : QWidget(parent),
-      studio_(studio),
+      capture_(capture),
       run_(run),
       header_(new SectionHeader(tr("Shot list"))),
       rows_(new QListWidget),
@@ -104,8 +104,9 @@ ShotList::ShotList(Studio& studio, RecordRun& run, QWidget* parent)
     connect(rows_, &QListWidget::itemActivated, this,
             [this](QListWidgetItem* item) { run_.setShot(rows_->row(item)); });
     connect(paste_, &QPushButton::clicked, this, [this] { edit(QApplication::clipboard()->text(), true); });
-    connect(edit_, &QPushButton::clicked, this,
-            [this] { edit(QString::fromStdString(textOf(studio_.session().session().shots)), false); });
+    connect(edit_, &QPushButton::clicked, this, [this] {
+        edit(QString::fromStdString(textOf(capture_.shared().session().session().shots)), false);
+    });
     connect(&run, &RecordRun::changed, this, &ShotList::refresh);
     connect(&Theme::get(), &Theme::changed, this, &ShotList::refresh);
     refresh();
@@ -118,11 +119,11 @@ void ShotList::choose(int row) {
 void ShotList::edit(const QString& text, bool pasted) {
     ShotListDialog dialog(text, pasted, window());
     if (dialog.exec() == QDialog::Accepted)
-        studio_.session().setShots(dialog.shots());
+        capture_.shared().session().setShots(dialog.shots());
 }
 
 void ShotList::refresh() {
-    const SessionModel& model = studio_.session();
+    const SessionModel& model = capture_.shared().session();
     const bool open = model.isOpen();
     const int count = open ? static_cast<int>(model.session().shots.size()) : 0;
     while (rows_->count() > count)

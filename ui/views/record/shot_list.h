@@ -6,7 +6,7 @@
 #include <QListWidget>
 #include <QWidget>
 
-#include "ui/models/studio.h"
+#include "ui/models/capture_context.h"
 
 namespace noctule::ui {
 
@@ -18,7 +18,7 @@ class SectionHeader;
 class ShotList : public QWidget {
     Q_OBJECT
 public:
-    ShotList(Studio& studio, RecordRun& run, QWidget* parent = nullptr);
+    ShotList(CaptureContext& capture, RecordRun& run, QWidget* parent = nullptr);
 
     QListWidget& rows() { return *rows_; }
     Button& pasteButton() { return *paste_; }
@@ -29,7 +29,7 @@ private:
     void choose(int row);
     void edit(const QString& text, bool pasted);
 
-    Studio& studio_;
+    CaptureContext& capture_;
     RecordRun& run_;
     SectionHeader* header_;
     QListWidget* rows_;

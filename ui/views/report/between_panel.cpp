@@ -10,8 +10,8 @@
 
 namespace noctule::ui {
 
-BetweenPanel::BetweenPanel(Studio& studio, QWidget* parent)
-    : QWidget(parent), studio_(studio), column_(makeColumn(this, {12, 8, 12, 8}, 4)) {}
+BetweenPanel::BetweenPanel(ReviewContext& review, QWidget* parent)
+    : QWidget(parent), review_(review), column_(makeColumn(this, {12, 8, 12, 8}, 4)) {}
 
 /// The rows of the pair that begins at `first`: its people follow each other.
 QWidget* BetweenPanel::tableOf(const std::vector<BetweenEvaluation>& found, size_t first) const {
@@ -37,7 +37,7 @@ QWidget* BetweenPanel::tableOf(const std::vector<BetweenEvaluation>& found, size
 void BetweenPanel::refresh() {
     delete content_;
     content_ = nullptr;
-    TakeDocument& take = studio_.take();
+    TakeDocument& take = review_.take();
     const auto found = take.isOfSeveral() && take.shownRun() >= 0 ? take.between() : nullptr;
     setVisible(found != nullptr);
     if (!found)

@@ -4,7 +4,7 @@
 
 #include <QWidget>
 
-#include "ui/models/studio.h"
+#include "ui/models/review_context.h"
 
 class QVBoxLayout;
 
@@ -13,7 +13,7 @@ namespace noctule::ui {
 class BetweenPanel : public QWidget {
     Q_OBJECT
 public:
-    explicit BetweenPanel(Studio& studio, QWidget* parent = nullptr);
+    explicit BetweenPanel(ReviewContext& review, QWidget* parent = nullptr);
 
     /// Hidden in a take of one.
     void refresh();
@@ -21,7 +21,7 @@ public:
 private:
     QWidget* tableOf(const std::vector<BetweenEvaluation>& found, size_t first) const;
 
-    Studio& studio_;
+    ReviewContext& review_;
     QVBoxLayout* column_;
     QWidget* content_ = nullptr;
 };

@@ -5,20 +5,20 @@
 
 namespace noctule::ui {
 
-FullReport::FullReport(Studio& studio, QObject* parent) : QObject(parent), studio_(studio) {
-    connect(&studio.take(), &TakeDocument::opened, this, &FullReport::outdate);
-    connect(&studio.take(), &TakeDocument::runsChanged, this, [this] {
-        if (studio_.take().shownRun() != shown_)
+FullReport::FullReport(ReviewContext& review, QObject* parent) : QObject(parent), review_(review) {
+    connect(&review.take(), &TakeDocument::opened, this, &FullReport::outdate);
+    connect(&review.take(), &TakeDocument::runsChanged, this, [this] {
+        if (review_.take().shownRun() != shown_)
             outdate();
     });
-    connect(&studio.take(), &TakeDocument::reportChanged, this, &FullReport::consider);
+    connect(&review.take(), &TakeDocument::reportChanged, this, &FullReport::consider);
 }
 
 void FullReport::outdate() {
     if (job_)
         job_->cancel();
     ++ticket_;
-    shown_ = studio_.take().shownRun();
+    shown_ = review_.take().shownRun();
     failed_ = false;
     if (std::exchange(data_, nullptr))
         emit changed();
@@ -26,20 +26,20 @@ void FullReport::outdate() {
 }
 
 void FullReport::consider() {
-    const auto overview = studio_.take().overview();
-    if (overview && overview->has_reference && studio_.take().report())
+    const auto overview = review_.take().overview();
+    if (overview && overview->has_reference && review_.take().report())
         need();
 }
 
 void FullReport::need() {
-    TakeDocument& take = studio_.take();
+    TakeDocument& take = review_.take();
     if (data_ || failed_ || (job_ && job_->state() == Job::State::kRunning) || take.shownRun() < 0)
         return;
     EvaluateRequest request;
     request.take_path = take.path().toStdString();
     request.run_number = take.overview()->runs[static_cast<size_t>(take.shownRun())].run.run;
     request.all_runs = true;
-    job_ = studio_.jobs().start<ReportData>(
+    job_ = review_.shared().jobs().start<ReportData>(
         tr("Comparing all results"), [request](const JobContext& job) { return evaluateTake(request, job); },
         [self = QPointer(this), ticket = ticket_](Result<ReportData> data) -> QString {
             if (!self || self->ticket_ != ticket)
@@ -58,7 +58,7 @@ std::optional<double> FullReport::meanError_deg(int run) const {
         const auto& comparison = data_->runs[static_cast<size_t>(run)].comparison;
         return comparison ? std::optional(comparison->mean_deg) : std::nullopt;
     }
-    const auto verdict = run == studio_.take().shownRun() ? studio_.take().verdict() : nullptr;
+    const auto verdict = run == review_.take().shownRun() ? review_.take().verdict() : nullptr;
     return verdict ? verdict->mean_error_deg : std::nullopt;
 }
 

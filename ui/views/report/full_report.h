@@ -8,14 +8,14 @@
 #include <memory>
 #include <optional>
 
-#include "ui/models/studio.h"
+#include "ui/models/review_context.h"
 
 namespace noctule::ui {
 
 class FullReport : public QObject {
     Q_OBJECT
 public:
-    explicit FullReport(Studio& studio, QObject* parent = nullptr);
+    explicit FullReport(ReviewContext& review, QObject* parent = nullptr);
 
     /// Null until made; then of the result that is shown.
     std::shared_ptr<const ReportData> data() const { return data_; }
@@ -31,7 +31,7 @@ private:
     void outdate();
     void consider();
 
-    Studio& studio_;
+    ReviewContext& review_;
     std::shared_ptr<const ReportData> data_;
     QPointer<Job> job_;
     uint64_t ticket_ = 0;  ///< results of an earlier take or choice are dropped

@@ -26,17 +26,17 @@ constexpr double kGoodMedian_m = 0.01;
 const QString kNoFigure = QChar(0x2013);
 }  // namespace
 
-ReportPanel::ReportPanel(Studio& studio, QWidget* parent)
+ReportPanel::ReportPanel(ReviewContext& review, QWidget* parent)
     : QWidget(parent),
-      studio_(studio),
+      review_(review),
       verdict_(new VerdictHeader),
       empty_(new EmptyState({}, tr("Process"), "redo")),
       judged_(new QWidget),
       problems_(new QWidget),
       problems_column_(makeColumn(problems_, {12, 0, 12, 4}, 8)),
       more_problems_(new Label({}, TextRole::kSecondary, Ink::kHint)),
-      between_(new BetweenPanel(studio)),
-      joints_(new JointTable(studio.selection())),
+      between_(new BetweenPanel(review)),
+      joints_(new JointTable(review.selection())),
       full_report_(makeButton(ButtonKind::kText, tr("Open full report"))),
       export_(makeButton(ButtonKind::kPrimary, tr("Export"), "export", QKeySequence("Ctrl+E"))) {
     auto* column = makeColumn(this);
@@ -78,8 +78,8 @@ ReportPanel::ReportPanel(Studio& studio, QWidget* parent)
     connect(empty_, &EmptyState::activated, this, &ReportPanel::processingWanted);
     for (const auto signal :
          {&TakeDocument::opened, &TakeDocument::runsChanged, &TakeDocument::reportChanged})
-        connect(&studio.take(), signal, this, &ReportPanel::refresh);
-    connect(&studio.take(), &TakeDocument::motionChanged, this, &ReportPanel::showFeet);
+        connect(&review.take(), signal, this, &ReportPanel::refresh);
+    connect(&review.take(), &TakeDocument::motionChanged, this, &ReportPanel::showFeet);
     refresh();
 }
 
@@ -100,7 +100,7 @@ QWidget* ReportPanel::makeNumbers() {
 }
 
 void ReportPanel::refresh() {
-    TakeDocument& take = studio_.take();
+    TakeDocument& take = review_.take();
     const auto overview = take.overview();
     const bool has_run = overview && take.shownRun() >= 0;
     const auto verdict = has_run ? take.verdict() : nullptr;
@@ -128,7 +128,7 @@ void ReportPanel::refresh() {
 
 void ReportPanel::showVerdict(const TakeVerdict& verdict) {
     verdict_->setVerdict(toneOf(verdict.grade), gradeInWords(verdict.grade), gradeExplained(verdict));
-    showProblems(problemsInWords(verdict, *studio_.take().overview()));
+    showProblems(problemsInWords(verdict, *review_.take().overview()));
     cards_[0]->setValue(verdict.mean_error_deg ? degreesText(radians(*verdict.mean_error_deg)) : kNoFigure);
     cards_[0]->setCaption(verdict.mean_error_deg ? tr("mean joint error\nagainst the reference")
                                                  : tr("mean joint error,\nno reference"));
@@ -144,7 +144,7 @@ void ReportPanel::showVerdict(const TakeVerdict& verdict) {
     cards_[3]->setCaption(verdict.hole_s > 0
                               ? tr("without signal,\nlongest %1").arg(secondsText(verdict.longest_hole_s, 2))
                               : tr("without signal,\nno gaps"));
-    joints_->setVerdict(studio_.take().verdict());
+    joints_->setVerdict(review_.take().verdict());
     drift_->setText(verdict.yaw_drift_deg_per_min
                         ? tr("%1 per minute").arg(degreesText(radians(*verdict.yaw_drift_deg_per_min)))
                         : tr("unknown without reference"));
@@ -175,14 +175,14 @@ void ReportPanel::showProblems(const std::vector<ProblemWords>& problems) {
 
 void ReportPanel::showFeet() {
     const auto feet =
-        studio_.take().isOpen() && studio_.take().shownRun() >= 0 ? studio_.take().contacts() : nullptr;
+        review_.take().isOpen() && review_.take().shownRun() >= 0 ? review_.take().contacts() : nullptr;
     size_t found = 0;
     if (feet)
         for (const FootContacts& foot : *feet)
             found += foot.contacts.size();
     slide_->setText(found > 0 ? tr("%1 per step").arg(millimetresText(meanSlide_m(*feet), 0)) : kNoFigure);
     const int count = static_cast<int>(found);
-    const bool by_hand = feet && studio_.take().overview()->contacts_edited;
+    const bool by_hand = feet && review_.take().overview()->contacts_edited;
     contacts_->setText(!feet     ? kNoFigure
                        : by_hand ? tr("%n, set by hand", nullptr, count)
                                  : tr("%n found", nullptr, count));
@@ -192,11 +192,11 @@ void ReportPanel::goTo(const ProblemWords& problem) {
     if (problem.processes)
         emit processingWanted();
     if (!problem.joint.isEmpty())
-        studio_.selection().setJoint(problem.joint);
+        review_.selection().setJoint(problem.joint);
     if (problem.board >= 0)
-        studio_.selection().setBoard(problem.board);
+        review_.selection().setBoard(problem.board);
     if (problem.time_s >= 0)
-        studio_.time().setTime(problem.time_s);
+        review_.time().setTime(problem.time_s);
 }
 
 }  // namespace noctule::ui

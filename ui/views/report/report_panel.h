@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-#include "ui/models/studio.h"
+#include "ui/models/review_context.h"
 #include "ui/views/review_words.h"
 
 class QBoxLayout;
@@ -26,7 +26,7 @@ class VerdictHeader;
 class ReportPanel : public QWidget {
     Q_OBJECT
 public:
-    explicit ReportPanel(Studio& studio, QWidget* parent = nullptr);
+    explicit ReportPanel(ReviewContext& review, QWidget* parent = nullptr);
 
     JointTable& joints() { return *joints_; }
 
@@ -43,7 +43,7 @@ private:
     void showFeet();
     void goTo(const ProblemWords& problem);
 
-    Studio& studio_;
+    ReviewContext& review_;
     VerdictHeader* verdict_;
     EmptyState* empty_;
     QWidget *judged_, *problems_;

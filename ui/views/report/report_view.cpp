@@ -21,9 +21,9 @@
 
 namespace noctule::ui {
 
-ReportView::ReportView(Studio& studio, FullReport& report, QWidget* parent)
+ReportView::ReportView(ReviewContext& review, FullReport& report, QWidget* parent)
     : QWidget(parent),
-      studio_(studio),
+      review_(review),
       report_(report),
       title_(new ElidedLabel({}, TextRole::kSection, Ink::kValue, true)),
       zoom_label_(new Label({}, TextRole::kSecondary, Ink::kLabel)),
@@ -48,7 +48,7 @@ ReportView::ReportView(Studio& studio, FullReport& report, QWidget* parent)
             page_->scrollToAnchor(item->data(Qt::UserRole).toString());
     });
     connect(&report, &FullReport::changed, this, &ReportView::refresh);
-    connect(&studio.take(), &TakeDocument::opened, this, &ReportView::refresh);
+    connect(&review.take(), &TakeDocument::opened, this, &ReportView::refresh);
     connect(page_, &ReportBrowser::zoomChanged, this, &ReportView::refresh);
     connect(search_, &SearchField::searched, this, &ReportView::find);
     connect(search_, &QLineEdit::returnPressed, this, [this] { find(search_->text()); });
@@ -90,7 +90,7 @@ void ReportView::enter() {
 
 void ReportView::refresh() {
     zoom_label_->setText(percentText(page_->zoom()));
-    title_->setText(tr("Report of %1").arg(openTakeName(studio_)));
+    title_->setText(tr("Report of %1").arg(openTakeName(review_)));
     const auto made = report_.data();
     const QString waiting = made ? QString() : tr("The report is being made.");
     save_->setDisabledBecause(waiting);
@@ -117,10 +117,10 @@ void ReportView::refresh() {
 
 void ReportView::saveHtml() {
     const QString path = QFileDialog::getSaveFileName(
-        this, tr("Save the report"), openTakeName(studio_) + ".html", tr("Web pages (*.html)"));
+        this, tr("Save the report"), openTakeName(review_) + ".html", tr("Web pages (*.html)"));
     if (path.isEmpty() || !report_.data())
         return;
-    studio_.jobs().start<Done>(
+    review_.shared().jobs().start<Done>(
         tr("Saving %1").arg(QFileInfo(path).fileName()),
         [data = report_.data(), path](const JobContext&) -> Status {
             return writeFileAtomically(path.toStdString(), coreMarkup(htmlReport(*data)), true);
@@ -130,14 +130,14 @@ void ReportView::saveHtml() {
 
 void ReportView::savePdf() {
     const QString path = QFileDialog::getSaveFileName(
-        this, tr("Save the report"), openTakeName(studio_) + ".pdf", tr("PDF documents (*.pdf)"));
+        this, tr("Save the report"), openTakeName(review_) + ".pdf", tr("PDF documents (*.pdf)"));
     if (path.isEmpty())
         return;
     if (page_->savePdf(path))
-        emit studio_.said(tr("%1 is written.").arg(path));
+        emit review_.shared().said(tr("%1 is written.").arg(path));
     else
-        emit studio_.failed(tr("%1 could not be written.").arg(path),
-                            tr("Choose another folder or free some space."));
+        emit review_.shared().failed(tr("%1 could not be written.").arg(path),
+                                     tr("Choose another folder or free some space."));
 }
 
 void ReportView::find(const QString& text) {

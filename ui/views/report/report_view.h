@@ -7,7 +7,7 @@
 #include <QTimer>
 #include <memory>
 
-#include "ui/models/studio.h"
+#include "ui/models/review_context.h"
 #include "ui/views/report/full_report.h"
 #include "ui/views/report/report_html.h"
 
@@ -56,7 +56,7 @@ private:
 class ReportView : public QWidget {
     Q_OBJECT
 public:
-    ReportView(Studio& studio, FullReport& report, QWidget* parent = nullptr);
+    ReportView(ReviewContext& review, FullReport& report, QWidget* parent = nullptr);
 
     ReportBrowser& page() { return *page_; }
     void enter();  ///< makes the report when it is not there yet
@@ -74,7 +74,7 @@ private:
     void savePdf();
     void find(const QString& text);
 
-    Studio& studio_;
+    ReviewContext& review_;
     FullReport& report_;
     ElidedLabel* title_;
     Label* zoom_label_;

@@ -20,7 +20,7 @@ QString dayOf(const std::string& utc) {
 
 }  // namespace
 
-MadeWithPanel::MadeWithPanel(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
+MadeWithPanel::MadeWithPanel(ReviewContext& review, QWidget* parent) : QWidget(parent), review_(review) {
     auto* rows = new FormRows;
     performer_ = rows->addValue(tr("Performer"), {});
     recorded_ = rows->addValue(tr("Recorded"), {});
@@ -31,12 +31,12 @@ MadeWithPanel::MadeWithPanel(Studio& studio, QWidget* parent) : QWidget(parent),
     suit_ = rows->addValue(tr("Suit"), {});
     sound_ = rows->addValue(tr("Sound"), {});
     makeColumn(this, {12, 0, 12, 0})->addWidget(rows);
-    connect(&studio.take(), &TakeDocument::opened, this, &MadeWithPanel::refresh);
+    connect(&review.take(), &TakeDocument::opened, this, &MadeWithPanel::refresh);
     refresh();
 }
 
 void MadeWithPanel::refresh() {
-    const auto overview = studio_.take().overview();
+    const auto overview = review_.take().overview();
     if (!overview) {
         for (Label* label : {performer_, recorded_, offsets_, inertial_, rest_, skeleton_, suit_, sound_})
             label->setText(kUnknown);

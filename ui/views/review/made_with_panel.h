@@ -4,7 +4,7 @@
 
 #include <QWidget>
 
-#include "ui/models/studio.h"
+#include "ui/models/review_context.h"
 
 namespace noctule::ui {
 
@@ -13,12 +13,12 @@ class Label;
 class MadeWithPanel : public QWidget {
     Q_OBJECT
 public:
-    explicit MadeWithPanel(Studio& studio, QWidget* parent = nullptr);
+    explicit MadeWithPanel(ReviewContext& review, QWidget* parent = nullptr);
 
 private:
     void refresh();
 
-    Studio& studio_;
+    ReviewContext& review_;
     Label *performer_, *recorded_, *offsets_, *inertial_, *rest_, *skeleton_, *suit_, *sound_;
 };
 

@@ -12,22 +12,22 @@ namespace {
 constexpr int kMarkerTime = Qt::UserRole, kMarkerRow = 28, kMostMarkers = 6;
 }
 
-MarkersPanel::MarkersPanel(Studio& studio, QWidget* parent) : QListWidget(parent), studio_(studio) {
+MarkersPanel::MarkersPanel(ReviewContext& review, QWidget* parent) : QListWidget(parent), review_(review) {
     setFrameShape(QFrame::NoFrame);
     setAccessibleName(tr("Markers"));
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setTextElideMode(Qt::ElideRight);
     connect(this, &QListWidget::itemClicked, this, [this](QListWidgetItem* item) { goTo(*item); });
     connect(this, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) { goTo(*item); });
-    connect(&studio.take(), &TakeDocument::opened, this, &MarkersPanel::refresh);
-    connect(&studio.take(), &TakeDocument::runsChanged, this, &MarkersPanel::refresh);
+    connect(&review.take(), &TakeDocument::opened, this, &MarkersPanel::refresh);
+    connect(&review.take(), &TakeDocument::runsChanged, this, &MarkersPanel::refresh);
     connect(&Theme::get(), &Theme::changed, this, &MarkersPanel::refresh);
     refresh();
 }
 
 void MarkersPanel::refresh() {
     clear();
-    const auto overview = studio_.take().overview();
+    const auto overview = review_.take().overview();
     std::vector<ReviewMarker> markers = overview ? overview->markers : std::vector<ReviewMarker>();
     std::stable_sort(markers.begin(), markers.end(),
                      [](const ReviewMarker& a, const ReviewMarker& b) { return a.t_s < b.t_s; });
@@ -49,7 +49,7 @@ void MarkersPanel::refresh() {
 
 void MarkersPanel::goTo(const QListWidgetItem& item) {
     if (item.flags() & Qt::ItemIsEnabled)
-        studio_.time().setTime(item.data(kMarkerTime).toDouble());
+        review_.time().setTime(item.data(kMarkerTime).toDouble());
 }
 
 }  // namespace noctule::ui

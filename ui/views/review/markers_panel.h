@@ -4,20 +4,20 @@
 
 #include <QListWidget>
 
-#include "ui/models/studio.h"
+#include "ui/models/review_context.h"
 
 namespace noctule::ui {
 
 class MarkersPanel : public QListWidget {
     Q_OBJECT
 public:
-    explicit MarkersPanel(Studio& studio, QWidget* parent = nullptr);
+    explicit MarkersPanel(ReviewContext& review, QWidget* parent = nullptr);
 
 private:
     void refresh();
     void goTo(const QListWidgetItem& item);
 
-    Studio& studio_;
+    ReviewContext& review_;
 };
 
 }  // namespace noctule::ui

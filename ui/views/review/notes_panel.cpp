@@ -17,9 +17,9 @@ namespace {
 constexpr int kPause_ms = 1500, kLeastLines = 2, kMostLines = 8;
 }
 
-NotesPanel::NotesPanel(Studio& studio, QWidget* parent)
+NotesPanel::NotesPanel(ReviewContext& review, QWidget* parent)
     : QWidget(parent),
-      studio_(studio),
+      review_(review),
       of_take_(new Label({}, TextRole::kSecondary, Ink::kLabel)),
       editor_(new QPlainTextEdit) {
     auto* column = makeColumn(this, {12, 0, 12, 0}, 4);
@@ -39,9 +39,9 @@ NotesPanel::NotesPanel(Studio& studio, QWidget* parent)
         written_ = true;
         pause_.start();
     });
-    connect(&studio.take(), &TakeDocument::opened, this, &NotesPanel::readTake);
-    connect(&studio.session(), &SessionModel::changed, this, &NotesPanel::readNotes);
-    connect(&studio.session(), &SessionModel::opened, this, &NotesPanel::readTake);
+    connect(&review.take(), &TakeDocument::opened, this, &NotesPanel::readTake);
+    connect(&review.shared().session(), &SessionModel::changed, this, &NotesPanel::readNotes);
+    connect(&review.shared().session(), &SessionModel::opened, this, &NotesPanel::readTake);
     connect(&Theme::get(), &Theme::changed, this, &NotesPanel::fitHeight);
     connect(editor_->document()->documentLayout(), &QAbstractTextDocumentLayout::documentSizeChanged, this,
             &NotesPanel::fitHeight);
@@ -54,10 +54,10 @@ void NotesPanel::edit() {
 
 void NotesPanel::readTake() {
     save();
-    take_ = openTakeIndex(studio_);
-    take_name_ =
-        take_ >= 0 ? studio_.session().session().takes[static_cast<size_t>(take_)].name : std::string();
-    const auto overview = studio_.take().overview();
+    take_ = openTakeIndex(review_);
+    take_name_ = take_ >= 0 ? review_.shared().session().session().takes[static_cast<size_t>(take_)].name
+                            : std::string();
+    const auto overview = review_.take().overview();
     const QStringList lines = overview ? takeNoteLines(*overview) : QStringList();
     of_take_->setText(lines.join('\n'));
     of_take_->setVisible(!lines.isEmpty());
@@ -69,17 +69,18 @@ void NotesPanel::readTake() {
 }
 
 void NotesPanel::readNotes() {
-    const bool same_take = take_ >= 0 && studio_.session().isOpen() &&
-                           take_ < static_cast<int>(studio_.session().session().takes.size()) &&
-                           studio_.session().session().takes[static_cast<size_t>(take_)].name == take_name_;
+    const bool same_take =
+        take_ >= 0 && review_.shared().session().isOpen() &&
+        take_ < static_cast<int>(review_.shared().session().session().takes.size()) &&
+        review_.shared().session().session().takes[static_cast<size_t>(take_)].name == take_name_;
     if (!same_take && take_ >= 0) {  // one before it was trashed or restored
-        take_ = openTakeIndex(studio_);
+        take_ = openTakeIndex(review_);
         return;
     }
     const QString notes =
-        take_ >= 0
-            ? QString::fromStdString(studio_.session().session().takes[static_cast<size_t>(take_)].notes)
-            : QString();
+        take_ >= 0 ? QString::fromStdString(
+                         review_.shared().session().session().takes[static_cast<size_t>(take_)].notes)
+                   : QString();
     if (written_ || notes == editor_->toPlainText())
         return;
     const QSignalBlocker quiet(editor_);
@@ -91,14 +92,14 @@ void NotesPanel::save() {
     pause_.stop();
     if (!std::exchange(written_, false))
         return;
-    if (take_ < 0 || !studio_.session().isOpen())
+    if (take_ < 0 || !review_.shared().session().isOpen())
         return;
-    const auto& takes = studio_.session().session().takes;
+    const auto& takes = review_.shared().session().session().takes;
     const auto found = std::find_if(takes.begin(), takes.end(),
                                     [this](const SessionTake& take) { return take.name == take_name_; });
     const QString notes = editor_->toPlainText();
     if (found != takes.end() && QString::fromStdString(found->notes) != notes)
-        studio_.session().setTakeNotes(static_cast<int>(found - takes.begin()), notes);
+        review_.shared().session().setTakeNotes(static_cast<int>(found - takes.begin()), notes);
 }
 
 void NotesPanel::fitHeight() {

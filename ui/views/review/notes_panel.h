@@ -6,7 +6,7 @@
 #include <QPlainTextEdit>
 #include <QTimer>
 
-#include "ui/models/studio.h"
+#include "ui/models/review_context.h"
 
 namespace noctule::ui {
 
@@ -15,7 +15,7 @@ class Label;
 class NotesPanel : public QWidget {
     Q_OBJECT
 public:
-    explicit NotesPanel(Studio& studio, QWidget* parent = nullptr);
+    explicit NotesPanel(ReviewContext& review, QWidget* parent = nullptr);
 
     QPlainTextEdit& editor() { return *editor_; }
     void edit();  ///< gives it the keyboard
@@ -29,7 +29,7 @@ private:
     void save();
     void fitHeight();
 
-    Studio& studio_;
+    ReviewContext& review_;
     Label* of_take_;
     QPlainTextEdit* editor_;
     QTimer pause_;

@@ -14,11 +14,11 @@ QString performerName(const TakeDocument& take, int index) {
                : QString::fromStdString(name);
 }
 
-PerformerSwitch::PerformerSwitch(Studio& studio, QWidget* parent)
-    : PerformerButtons(tr("Shown"), parent), studio_(studio) {
-    connect(&studio.take(), &TakeDocument::opened, this, &PerformerSwitch::refresh);
+PerformerSwitch::PerformerSwitch(ReviewContext& review, QWidget* parent)
+    : PerformerButtons(tr("Shown"), parent), review_(review) {
+    connect(&review.take(), &TakeDocument::opened, this, &PerformerSwitch::refresh);
     connect(this, &PerformerButtons::chosen, this, [this](int index) {
-        studio_.take().setSubject(index);
+        review_.take().setSubject(index);
         refresh();
     });
     refresh();
@@ -31,7 +31,7 @@ void PerformerSwitch::showNext(TakeDocument& take) {
 }
 
 void PerformerSwitch::refresh() {
-    TakeDocument& take = studio_.take();
+    TakeDocument& take = review_.take();
     QStringList names;
     if (take.isOfSeveral())
         for (int i = 0; i < static_cast<int>(take.subjects().size()); ++i)

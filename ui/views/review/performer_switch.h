@@ -2,7 +2,7 @@
 // Whose body, plots and report Review shows, in a take of several people: a button for each. Hidden for one.
 #pragma once
 
-#include "ui/models/studio.h"
+#include "ui/models/review_context.h"
 #include "ui/views/performer_buttons.h"
 
 namespace noctule::ui {
@@ -10,7 +10,7 @@ namespace noctule::ui {
 class PerformerSwitch : public PerformerButtons {
     Q_OBJECT
 public:
-    explicit PerformerSwitch(Studio& studio, QWidget* parent = nullptr);
+    explicit PerformerSwitch(ReviewContext& review, QWidget* parent = nullptr);
 
     /// The next one, after the last the first.
     static void showNext(TakeDocument& take);
@@ -18,7 +18,7 @@ public:
 private:
     void refresh();
 
-    Studio& studio_;
+    ReviewContext& review_;
 };
 
 /// "Ada"; without a name "Performer 2".

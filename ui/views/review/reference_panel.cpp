@@ -36,9 +36,9 @@ QString motionFile(const QMimeData& dragged) {
 
 }  // namespace
 
-ReferencePanel::ReferencePanel(Studio& studio, QWidget* parent)
+ReferencePanel::ReferencePanel(ReviewContext& review, QWidget* parent)
     : QWidget(parent),
-      studio_(studio),
+      review_(review),
       name_(new ElidedLabel),
       detail_(new Label({}, TextRole::kSecondary, Ink::kHint)),
       present_(new QWidget),
@@ -64,20 +64,20 @@ ReferencePanel::ReferencePanel(Studio& studio, QWidget* parent)
     compare_->setCheckable(true);
     connect(attach_, &QPushButton::clicked, this, &ReferencePanel::chooseFile);
     connect(compare_, &QToolButton::clicked, this, [this] {
-        TakeDocument& take = studio_.take();
+        TakeDocument& take = review_.take();
         take.setComparedRun(take.comparedRun() == TakeDocument::kReference ? -1 : TakeDocument::kReference);
     });
-    connect(&studio.take(), &TakeDocument::opened, this, &ReferencePanel::readFacts);
-    connect(&studio.take(), &TakeDocument::runsChanged, this, &ReferencePanel::refresh);
+    connect(&review.take(), &TakeDocument::opened, this, &ReferencePanel::readFacts);
+    connect(&review.take(), &TakeDocument::runsChanged, this, &ReferencePanel::refresh);
     readFacts();
 }
 
 void ReferencePanel::readFacts() {
     facts_.reset();
     ++ticket_;
-    const auto overview = studio_.take().overview();
+    const auto overview = review_.take().overview();
     if (overview && overview->has_reference)
-        studio_.jobs().start<ReferenceFacts>(
+        review_.shared().jobs().start<ReferenceFacts>(
             tr("Looking at the reference"),
             [path = overview->path](const JobContext&) { return referenceFacts(path); },
             [self = QPointer(this), ticket = ticket_](Result<ReferenceFacts> facts) -> QString {
@@ -92,19 +92,19 @@ void ReferencePanel::readFacts() {
 }
 
 void ReferencePanel::refresh() {
-    const auto overview = studio_.take().overview();
+    const auto overview = review_.take().overview();
     const bool has = overview && overview->has_reference;
     present_->setVisible(has);
     absent_->setVisible(!has);
     attach_->setText(has ? tr("Replace") : tr("Attach"));
     attach_->setDisabledBecause(whyNotAttached());
-    compare_->setChecked(studio_.take().comparedRun() == TakeDocument::kReference);
+    compare_->setChecked(review_.take().comparedRun() == TakeDocument::kReference);
     if (has)
         showFacts();
 }
 
 void ReferencePanel::showFacts() {
-    const bool simulated = studio_.take().overview()->reference_kind == "simulated";
+    const bool simulated = review_.take().overview()->reference_kind == "simulated";
     const QString name = facts_ ? QString::fromStdString(facts_->name) : QString();
     name_->setText(!name.isEmpty() ? name
                    : simulated     ? tr("Truth of the simulation")
@@ -120,7 +120,7 @@ void ReferencePanel::showFacts() {
 
 /// Empty: a reference can be attached.
 QString ReferencePanel::whyNotAttached() const {
-    const TakeDocument& take = studio_.take();
+    const TakeDocument& take = review_.take();
     if (!take.isOpen())
         return tr("Open a take first.");
     return take.subject() > 0 ? tr("A reference is attached to %1, the first performer of the take.")
@@ -139,15 +139,15 @@ void ReferencePanel::chooseFile() {
 }
 
 void ReferencePanel::ask(const QString& path) {
-    AttachDialog dialog(*studio_.take().overview(), path, window());
+    AttachDialog dialog(*review_.take().overview(), path, window());
     if (dialog.exec() == QDialog::Accepted)
         attach(dialog.choice());
 }
 
 void ReferencePanel::attach(const AttachChoice& choice) {
-    const std::string take_path = studio_.take().path().toStdString();
-    Job* job = studio_.jobs().start<Attached>(
-        tr("Attaching %1 to %2").arg(QFileInfo(choice.path).fileName(), openTakeName(studio_)),
+    const std::string take_path = review_.take().path().toStdString();
+    Job* job = review_.shared().jobs().start<Attached>(
+        tr("Attaching %1 to %2").arg(QFileInfo(choice.path).fileName(), openTakeName(review_)),
         [take_path, choice](const JobContext& context) -> Result<Attached> {
             Attached attached;
             auto request = readAttachment(choice.path.toStdString(), attached.warnings);
@@ -166,11 +166,12 @@ void ReferencePanel::attach(const AttachChoice& choice) {
             return attached;
         },
         [self = QPointer(this), take_path,
-         kept = studio_.session().keepInPlace(studio_.take().path())](Result<Attached> attached) -> QString {
+         kept = review_.shared().session().keepInPlace(review_.take().path())](
+            Result<Attached> attached) -> QString {
             if (!attached)
                 return {};
-            if (self && self->studio_.take().path().toStdString() == take_path)
-                self->studio_.take().reload(false);
+            if (self && self->review_.take().path().toStdString() == take_path)
+                self->review_.take().reload(false);
             QString words = tr("Aligned by %1, %2 frames lie within the take.")
                                 .arg(numberText(attached->summary.shift_s, 3) + QChar(0x00A0) + "s",
                                      countText(attached->summary.rows));
@@ -182,7 +183,7 @@ void ReferencePanel::attach(const AttachChoice& choice) {
 }
 
 void ReferencePanel::dragEnterEvent(QDragEnterEvent* event) {
-    if (studio_.take().isOpen() && !motionFile(*event->mimeData()).isEmpty())
+    if (review_.take().isOpen() && !motionFile(*event->mimeData()).isEmpty())
         event->acceptProposedAction();
 }
 

@@ -7,7 +7,7 @@
 #include <QWidget>
 
 #include "core/processing/outside_files.h"
-#include "ui/models/studio.h"
+#include "ui/models/review_context.h"
 #include "ui/views/review/attach_dialog.h"
 
 namespace noctule::ui {
@@ -21,7 +21,7 @@ class ToolButton;
 class ReferencePanel : public QWidget {
     Q_OBJECT
 public:
-    explicit ReferencePanel(Studio& studio, QWidget* parent = nullptr);
+    explicit ReferencePanel(ReviewContext& review, QWidget* parent = nullptr);
 
     /// Asks for a file, then how.
     void chooseFile();
@@ -39,7 +39,7 @@ private:
     void showFacts();
     void ask(const QString& path);
 
-    Studio& studio_;
+    ReviewContext& review_;
     ElidedLabel* name_;
     Label* detail_;
     QWidget* present_;

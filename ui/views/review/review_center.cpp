@@ -22,15 +22,15 @@ constexpr const char *kAbove = "review/above", *kWhole = "review/whole";
 constexpr int kRoomForBoth = 700, kLeastAbove = 220;  // pixels at 100 percent
 }  // namespace
 
-ReviewCenter::ReviewCenter(Studio& studio, QWidget* parent)
+ReviewCenter::ReviewCenter(ReviewContext& review, QWidget* parent)
     : QWidget(parent),
-      studio_(studio),
-      performers_(new PerformerSwitch(studio)),
-      scenes_(new SceneArea(studio)),
-      heat_map_(new HeatMap(studio)),
-      plots_(new PlotPanel(studio)),
-      timeline_(new Timeline(studio, plots_->window())),
-      transport_(new TransportBar(studio, *timeline_)),
+      review_(review),
+      performers_(new PerformerSwitch(review)),
+      scenes_(new SceneArea(review)),
+      heat_map_(new HeatMap(review)),
+      plots_(new PlotPanel(review)),
+      timeline_(new Timeline(review, plots_->window())),
+      transport_(new TransportBar(review, *timeline_)),
       above_(new QSplitter(Qt::Horizontal)),
       whole_(new QSplitter(Qt::Vertical)),
       tabs_(makeTabs()) {
@@ -101,15 +101,15 @@ ReviewCenter::~ReviewCenter() = default;
 
 void ReviewCenter::restoreSplitters() {
     const Theme& theme = Theme::get();
-    if (!above_->restoreState(studio_.settings().value(kAbove).toByteArray()))
+    if (!above_->restoreState(review_.shared().settings().value(kAbove).toByteArray()))
         above_->setSizes({theme.px(456), theme.px(412)});
-    if (!whole_->restoreState(studio_.settings().value(kWhole).toByteArray()))
+    if (!whole_->restoreState(review_.shared().settings().value(kWhole).toByteArray()))
         whole_->setSizes({theme.px(346), theme.px(476)});
 }
 
 void ReviewCenter::keepSplitters() const {
-    studio_.settings().setValue(kAbove, above_->saveState());
-    studio_.settings().setValue(kWhole, whole_->saveState());
+    review_.shared().settings().setValue(kAbove, above_->saveState());
+    review_.shared().settings().setValue(kWhole, whole_->saveState());
 }
 
 }  // namespace noctule::ui

@@ -7,7 +7,7 @@
 
 #include <QWidget>
 
-#include "ui/models/studio.h"
+#include "ui/models/review_context.h"
 
 class QSplitter;
 
@@ -24,7 +24,7 @@ class TransportBar;
 class ReviewCenter : public QWidget {
     Q_OBJECT
 public:
-    explicit ReviewCenter(Studio& studio, QWidget* parent = nullptr);
+    explicit ReviewCenter(ReviewContext& review, QWidget* parent = nullptr);
     ~ReviewCenter() override;
 
     PerformerSwitch& performers() { return *performers_; }
@@ -46,7 +46,7 @@ private:
     void restoreSplitters();
     void keepSplitters() const;
 
-    Studio& studio_;
+    ReviewContext& review_;
     PerformerSwitch* performers_;
     SceneArea* scenes_;
     HeatMap* heat_map_;

@@ -11,11 +11,11 @@
 
 namespace noctule::ui {
 
-RunList::RunList(Studio& studio, FullReport& report, QWidget* parent)
-    : QWidget(parent), studio_(studio), report_(report), column_(makeColumn(this)) {
+RunList::RunList(ReviewContext& review, FullReport& report, QWidget* parent)
+    : QWidget(parent), review_(review), report_(report), column_(makeColumn(this)) {
     setAccessibleName(tr("Results"));
-    connect(&studio.take(), &TakeDocument::opened, this, &RunList::rebuild);
-    connect(&studio.take(), &TakeDocument::runsChanged, this, &RunList::refresh);
+    connect(&review.take(), &TakeDocument::opened, this, &RunList::rebuild);
+    connect(&review.take(), &TakeDocument::runsChanged, this, &RunList::refresh);
     connect(&report, &FullReport::changed, this, &RunList::refresh);
     rebuild();
 }
@@ -23,7 +23,7 @@ RunList::RunList(Studio& studio, FullReport& report, QWidget* parent)
 void RunList::rebuild() {
     qDeleteAll(rows_);
     rows_.clear();
-    const auto overview = studio_.take().overview();
+    const auto overview = review_.take().overview();
     const int runs = overview ? static_cast<int>(overview->runs.size()) : 0;
     for (int run = 0; run < runs; ++run) {
         auto* row = new RunRow(runTitle(overview->runs[static_cast<size_t>(run)]));
@@ -35,7 +35,7 @@ void RunList::rebuild() {
 }
 
 void RunList::refresh() {
-    const TakeDocument& take = studio_.take();
+    const TakeDocument& take = review_.take();
     const auto overview = take.overview();
     if (!overview || count() != static_cast<int>(overview->runs.size()))
         return;  // the rows are of the take before; rebuild() follows
@@ -46,14 +46,14 @@ void RunList::refresh() {
 }
 
 QString RunList::detail(int run) const {
-    const TakeDocument& take = studio_.take();
+    const TakeDocument& take = review_.take();
     const QString use = useInWords(run);
     return take.overview()->runs[static_cast<size_t>(run)].settings.root_given ? tr("%1, root given").arg(use)
                                                                                : use;
 }
 
 QString RunList::useInWords(int run) const {
-    const TakeDocument& take = studio_.take();
+    const TakeDocument& take = review_.take();
     const auto mean_deg = report_.meanError_deg(run);
     const QString error = mean_deg ? degreesText(radians(*mean_deg)) : QString();
     if (run == take.shownRun())
@@ -64,7 +64,7 @@ QString RunList::useInWords(int run) const {
 }
 
 void RunList::setOn(int run, bool on) {
-    TakeDocument& take = studio_.take();
+    TakeDocument& take = review_.take();
     if (on && take.shownRun() < 0)
         take.setShownRun(run);
     else if (on)

@@ -6,7 +6,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "ui/models/studio.h"
+#include "ui/models/review_context.h"
 #include "ui/views/report/full_report.h"
 
 class QVBoxLayout;
@@ -18,7 +18,7 @@ class RunRow;
 class RunList : public QWidget {
     Q_OBJECT
 public:
-    RunList(Studio& studio, FullReport& report, QWidget* parent = nullptr);
+    RunList(ReviewContext& review, FullReport& report, QWidget* parent = nullptr);
 
     int count() const { return static_cast<int>(rows_.size()); }
     RunRow* row(int index) const { return rows_[static_cast<size_t>(index)]; }
@@ -31,7 +31,7 @@ private:
     QString detail(int run) const;
     QString useInWords(int run) const;
 
-    Studio& studio_;
+    ReviewContext& review_;
     FullReport& report_;
     QVBoxLayout* column_;
     std::vector<RunRow*> rows_;

@@ -10,16 +10,16 @@
 
 namespace noctule::ui {
 
-SceneArea::SceneArea(Studio& studio, QWidget* parent)
+SceneArea::SceneArea(ReviewContext& review, QWidget* parent)
     : QWidget(parent),
-      studio_(studio),
+      review_(review),
       row_(makeRow(this, {}, 1)),
-      shown_(new SceneView(studio)),
+      shown_(new SceneView(review)),
       split_(new ToolButton("split", tr("Shown and compared result side by side"), {}, this)) {
     row_->addWidget(shown_, 1);
     split_->setCheckable(true);
     connect(split_, &QToolButton::clicked, this, &SceneArea::setSideBySide);
-    connect(&studio.take(), &TakeDocument::runsChanged, this, &SceneArea::refresh);
+    connect(&review.take(), &TakeDocument::runsChanged, this, &SceneArea::refresh);
     connect(&Theme::get(), &Theme::changed, this, &SceneArea::placeTool);
     refresh();
 }
@@ -29,7 +29,7 @@ bool SceneArea::isSideBySide() const {
 }
 
 bool SceneArea::canCompare() const {
-    return studio_.take().isOpen() && studio_.take().comparedRun() != -1;
+    return review_.take().isOpen() && review_.take().comparedRun() != -1;
 }
 
 void SceneArea::setSideBySide(bool side_by_side) {
@@ -43,7 +43,7 @@ void SceneArea::setSideBySide(bool side_by_side) {
 }
 
 void SceneArea::makeCompared() {
-    compared_ = new SceneView(studio_);
+    compared_ = new SceneView(review_);
     compared_->setSubject(SceneSubject::kCompared);
     compared_->setCamera(shown_->camera());
     row_->addWidget(compared_, 1);

@@ -5,7 +5,7 @@
 
 #include <QWidget>
 
-#include "ui/models/studio.h"
+#include "ui/models/review_context.h"
 
 class QBoxLayout;
 
@@ -17,7 +17,7 @@ class ToolButton;
 class SceneArea : public QWidget {
     Q_OBJECT
 public:
-    explicit SceneArea(Studio& studio, QWidget* parent = nullptr);
+    explicit SceneArea(ReviewContext& review, QWidget* parent = nullptr);
 
     SceneView& shown() { return *shown_; }
     /// Null until side by side was asked for once.
@@ -38,7 +38,7 @@ private:
     void refresh();
     void placeTool();
 
-    Studio& studio_;
+    ReviewContext& review_;
     QBoxLayout* row_;
     SceneView* shown_;
     SceneView* compared_ = nullptr;

@@ -19,28 +19,28 @@ bool same(double a_s, double b_s) {
 
 }  // namespace
 
-TakeRange::TakeRange(Studio& studio, QObject* parent) : QObject(parent), studio_(studio) {
+TakeRange::TakeRange(ReviewContext& review, QObject* parent) : QObject(parent), review_(review) {
     pause_.setSingleShot(true);
     pause_.setInterval(kRangePause_ms);
     connect(&pause_, &QTimer::timeout, this, &TakeRange::write);
-    connect(&studio.time(), &TimeCursor::rangeChanged, this, [this] {
+    connect(&review.time(), &TimeCursor::rangeChanged, this, [this] {
         if (!reading_)
             pause_.start();
     });
-    connect(&studio.take(), &TakeDocument::opened, this, [this] {
+    connect(&review.take(), &TakeDocument::opened, this, [this] {
         pause_.stop();  // the new take's whole extent is no choice of the operator
         read();
     });
-    connect(&studio.session(), &SessionModel::changed, this, &TakeRange::read);
+    connect(&review.shared().session(), &SessionModel::changed, this, &TakeRange::read);
     read();
 }
 
 void TakeRange::read() {
-    const int index = openTakeIndex(studio_);
+    const int index = openTakeIndex(review_);
     if (index < 0 || pause_.isActive())
         return;
-    const SessionTake& take = studio_.session().session().takes[static_cast<size_t>(index)];
-    TimeCursor& time = studio_.time();
+    const SessionTake& take = review_.shared().session().session().takes[static_cast<size_t>(index)];
+    TimeCursor& time = review_.time();
     const double out_s = take.out_s > 0 ? take.out_s : time.duration();
     const QScopedValueRollback<bool> quiet(reading_, true);
     if (!same(take.in_s, time.in()) || !same(out_s, time.out()))
@@ -48,14 +48,14 @@ void TakeRange::read() {
 }
 
 void TakeRange::write() {
-    const int index = openTakeIndex(studio_);
+    const int index = openTakeIndex(review_);
     if (index < 0)
         return;
-    const SessionTake& take = studio_.session().session().takes[static_cast<size_t>(index)];
-    const TimeCursor& time = studio_.time();
+    const SessionTake& take = review_.shared().session().session().takes[static_cast<size_t>(index)];
+    const TimeCursor& time = review_.time();
     const double out_s = same(time.out(), time.duration()) ? 0 : time.out();
     if (!same(take.in_s, time.in()) || !same(take.out_s, out_s))
-        studio_.session().setTakeRange(index, time.in(), out_s);
+        review_.shared().session().setTakeRange(index, time.in(), out_s);
 }
 
 }  // namespace noctule::ui

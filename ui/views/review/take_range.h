@@ -6,20 +6,20 @@
 #include <QObject>
 #include <QTimer>
 
-#include "ui/models/studio.h"
+#include "ui/models/review_context.h"
 
 namespace noctule::ui {
 
 class TakeRange : public QObject {
     Q_OBJECT
 public:
-    explicit TakeRange(Studio& studio, QObject* parent = nullptr);
+    explicit TakeRange(ReviewContext& review, QObject* parent = nullptr);
 
 private:
     void read();
     void write();
 
-    Studio& studio_;
+    ReviewContext& review_;
     QTimer pause_;  ///< a drag is one step
     bool reading_ = false;
 };

@@ -11,7 +11,7 @@
 #include <QVBoxLayout>
 
 #include "core/session/placement.h"
-#include "ui/models/studio.h"
+#include "ui/models/shared_context.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/form_rows.h"
@@ -43,7 +43,8 @@ QString freeName(const QString& folder) {
 
 }  // namespace
 
-NewSessionDialog::NewSessionDialog(Studio& studio, QWidget* parent) : QDialog(parent), studio_(studio) {
+NewSessionDialog::NewSessionDialog(SharedContext& shared, QWidget* parent)
+    : QDialog(parent), shared_(shared) {
     setWindowTitle(tr("New session"));
     auto* column = makeColumn(this, {24, 20, 24, 20}, 16);
     column->addWidget(new Label(tr("New session"), TextRole::kPage, Ink::kValue, true));
@@ -73,7 +74,7 @@ NewSessionDialog::NewSessionDialog(Studio& studio, QWidget* parent) : QDialog(pa
 }
 
 void NewSessionDialog::buildFields(QVBoxLayout& column) {
-    const QString home = studio_.sessionsFolder(), name = freeName(home);
+    const QString home = shared_.sessionsFolder(), name = freeName(home);
     auto* rows = new FormRows(110);
     name_ = new QLineEdit(name);
     rows->addRow(tr("Name"), name_);
@@ -187,7 +188,7 @@ void NewSessionDialog::accept() {
     check();
     if (!create_->isEnabled())
         return;
-    SessionModel& session = studio_.session();
+    SessionModel& session = shared_.session();
     QString failure = tr("The session could not be made. Choose another folder.");
     const auto listening =
         connect(&session, &SessionModel::failed, this, [&](const QString& message) { failure = message; });

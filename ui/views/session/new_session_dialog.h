@@ -13,12 +13,12 @@ namespace noctule::ui {
 
 class Button;
 class Label;
-class Studio;
+class SharedContext;
 
 class NewSessionDialog : public QDialog {
     Q_OBJECT
 public:
-    explicit NewSessionDialog(Studio& studio, QWidget* parent = nullptr);
+    explicit NewSessionDialog(SharedContext& shared, QWidget* parent = nullptr);
 
     QString sessionName() const;
     QString folder() const;
@@ -36,7 +36,7 @@ private:
     bool showProblem(const QString& problem);
     QString problemOfFolder() const;
 
-    Studio& studio_;
+    SharedContext& shared_;
     QLineEdit *name_, *folder_, *performer_;
     QDoubleSpinBox* height_;
     Label* problem_;

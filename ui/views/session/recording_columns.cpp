@@ -34,7 +34,7 @@ bool RecordingDialog::useMap(const QString& path) {
 }
 
 void RecordingDialog::askForMap() {
-    QSettings& settings = studio_.settings();
+    QSettings& settings = shared_.settings();
     const QString path = QFileDialog::getOpenFileName(
         this, tr("Choose a map of sensors or columns"),
         settings.value(kImportMapsKey, QFileInfo(request_.paths.value(0)).path()).toString(),
@@ -55,7 +55,7 @@ bool RecordingDialog::isTable() const {
 }
 
 void RecordingDialog::lookAtColumns() {
-    studio_.jobs().start<TableColumns>(
+    shared_.jobs().start<TableColumns>(
         tr("Looking at the columns"),
         [path = request_.paths[0].toStdString()](const JobContext&) { return guessColumns(path); },
         [self = QPointer(this)](Result<TableColumns> columns) -> QString {
@@ -74,7 +74,7 @@ void RecordingDialog::presentColumns(Result<TableColumns> columns) {
     const QString key = columns_ ? columnsKey() : QString();
     const nlohmann::json map = key.isEmpty()
                                    ? nlohmann::json()
-                                   : json::parse(studio_.settings().value(key).toString().toStdString());
+                                   : json::parse(shared_.settings().value(key).toString().toStdString());
     if (map.is_object() && request_.map.is_null()) {
         useColumns(*columns_, map);
         columns_remembered_ = true;
@@ -107,7 +107,7 @@ void RecordingDialog::useColumns(TableColumns columns, const nlohmann::json& map
     request_.map = map;
     columns_remembered_ = false;
     if (const QString key = columnsKey(); !key.isEmpty())
-        studio_.settings().setValue(key, QString::fromStdString(map.dump()));
+        shared_.settings().setValue(key, QString::fromStdString(map.dump()));
     recording_.reset();
     read();
 }

@@ -55,7 +55,7 @@ QString titleOf(const QStringList& paths) {
 
 }  // namespace
 
-RecordingDialog::RecordingDialog(Studio& studio, const QStringList& paths, QWidget* parent)
+RecordingDialog::RecordingDialog(SharedContext& shared, const QStringList& paths, QWidget* parent)
     : DialogFrame(titleOf(paths),
                   tr("The recording becomes a take of this session. Its files stay as they are; nothing is "
                      "written before Import."),
@@ -65,7 +65,7 @@ RecordingDialog::RecordingDialog(Studio& studio, const QStringList& paths, QWidg
       by_movement(makeButton(ButtonKind::kOutlined, tr("Find by movement"), "search")),
       choose_map(makeButton(ButtonKind::kText, tr("Choose a map"))),
       say_columns(makeButton(ButtonKind::kOutlined, tr("Say what the columns are"))),
-      studio_(studio),
+      shared_(shared),
       format_(new Label),
       sensors_(new Label),
       gaps_(new Label),
@@ -156,7 +156,7 @@ void RecordingDialog::read() {
         return;
     }
     recording_.reset();
-    job_ = studio_.jobs().start<ImportedRecording>(
+    job_ = shared_.jobs().start<ImportedRecording>(
         tr("Reading %1").arg(QFileInfo(request_.paths.value(0)).fileName()),
         [request = request_](const JobContext& job) { return readRecording(request, job); },
         [self = QPointer(this)](Result<ImportedRecording> recording) -> QString {
@@ -297,7 +297,7 @@ void RecordingDialog::showNotes() {
 void RecordingDialog::find() {
     if (!recording_ || isBusy())
         return;
-    job_ = studio_.jobs().start<FoundSegments>(
+    job_ = shared_.jobs().start<FoundSegments>(
         tr("Finding where each sensor sits"),
         [recording = std::make_shared<const ImportedRecording>(*recording_)](const JobContext& job) {
             return findSegments(*recording, job);
@@ -358,7 +358,7 @@ void RecordingDialog::refresh() {
 }
 
 void RecordingDialog::accept() {
-    if (!recording_ || isBusy() || !studio_.makeSureOfSession())
+    if (!recording_ || isBusy() || !shared_.makeSureOfSession())
         return;
     keep();
     DialogFrame::accept();
@@ -366,29 +366,29 @@ void RecordingDialog::accept() {
 
 /// The job outlives the dialog: it is followed among the others.
 void RecordingDialog::keep() {
-    Studio* studio = &studio_;
-    const RecordingToKeep request{recording_, studio->parts().software, studio->parts().utc_now()};
-    studio->jobs().start<RecordingTake>(
+    SharedContext* shared = &shared_;
+    const RecordingToKeep request{recording_, shared->parts().software, shared->parts().utc_now()};
+    shared->jobs().start<RecordingTake>(
         tr("Importing %1").arg(QString::fromStdString(recording_->name)),
-        [request, session = studio->session().session()](const JobContext& job) {
+        [request, session = shared->session().session()](const JobContext& job) {
             return keepRecording(request, session, job);
         },
-        [studio, folder = studio->session().session().folder](Result<RecordingTake> made) -> QString {
+        [shared, folder = shared->session().session().folder](Result<RecordingTake> made) -> QString {
             if (!made) {
                 if (made.error().kind != ErrorKind::kCancelled)
-                    emit studio->failed(coreWords(made.error().message), coreWords(made.error().remedy));
+                    emit shared->failed(coreWords(made.error().message), coreWords(made.error().remedy));
                 return {};
             }
             const QString name = QString::fromStdString(made->name);
-            SessionModel& session = studio->session();
+            SessionModel& session = shared->session();
             if (session.isOpen() && session.session().folder == folder) {
                 session.refresh(QString::fromStdString(
                     (session.session().takesFolder() / (made->name + ".noctule")).string()));
                 session.setCurrentTake(session.session().findTake(made->name));
-                studio->goTo(Step::kReview);
+                shared->goTo(Step::kReview);
             }
             if (!made->warnings.empty())
-                emit studio->warned(wordsOf(made->warnings).replace(QChar(0x0a), QChar(0x20)));
+                emit shared->warned(wordsOf(made->warnings).replace(QChar(0x0a), QChar(0x20)));
             return made->has_poses ? tr("%1 is ready").arg(name)
                                    : tr("%1 is imported, without poses").arg(name);
         });

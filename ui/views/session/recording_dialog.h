@@ -7,7 +7,7 @@
 
 #include "core/import/table_columns.h"
 #include "ui/models/recording_import.h"
-#include "ui/models/studio.h"
+#include "ui/models/shared_context.h"
 #include "ui/views/dialog_frame.h"
 
 class QComboBox;
@@ -23,7 +23,7 @@ class Label;
 class RecordingDialog : public DialogFrame {
     Q_OBJECT
 public:
-    RecordingDialog(Studio& studio, const QStringList& paths, QWidget* parent = nullptr);
+    RecordingDialog(SharedContext& shared, const QStringList& paths, QWidget* parent = nullptr);
 
     /// As it was understood; null while it is read or when it cannot be read.
     std::shared_ptr<const ImportedRecording> recording() const { return recording_; }
@@ -64,7 +64,7 @@ private:
     void refresh();
     void keep();
 
-    Studio& studio_;
+    SharedContext& shared_;
     RecordingToRead request_;
     std::shared_ptr<ImportedRecording> recording_;
     std::optional<TableColumns> columns_;

@@ -6,14 +6,14 @@
 #include <QFileInfo>
 
 #include "core/session/session.h"
-#include "ui/models/studio.h"
+#include "ui/models/shared_context.h"
 #include "ui/views/session/new_session_dialog.h"
 
 namespace noctule::ui {
 namespace {
 
-QString lastFolder(Studio& studio, const char* key) {
-    return studio.settings().value(key, studio.sessionsFolder()).toString();
+QString lastFolder(SharedContext& shared, const char* key) {
+    return shared.settings().value(key, shared.sessionsFolder()).toString();
 }
 
 }  // namespace
@@ -33,55 +33,55 @@ QString SessionCommands::sessionOfTake(const QString& take_path) {
     return folder.path();
 }
 
-void SessionCommands::askForNew(QWidget* parent, Studio& studio) {
-    NewSessionDialog(studio, parent).exec();
+void SessionCommands::askForNew(QWidget* parent, SharedContext& shared) {
+    NewSessionDialog(shared, parent).exec();
 }
 
-void SessionCommands::askToOpen(QWidget* parent, Studio& studio) {
+void SessionCommands::askToOpen(QWidget* parent, SharedContext& shared) {
     const QString folder = QFileDialog::getExistingDirectory(parent, tr("Open session"),
-                                                             lastFolder(studio, "folders/last_session"));
+                                                             lastFolder(shared, "folders/last_session"));
     if (folder.isEmpty())
         return;
-    studio.settings().setValue("folders/last_session", QFileInfo(folder).dir().path());
-    studio.session().open(folder);
+    shared.settings().setValue("folders/last_session", QFileInfo(folder).dir().path());
+    shared.session().open(folder);
 }
 
-QStringList SessionCommands::askForTakes(QWidget* parent, Studio& studio) {
+QStringList SessionCommands::askForTakes(QWidget* parent, SharedContext& shared) {
     const QStringList paths = QFileDialog::getOpenFileNames(
-        parent, tr("Choose takes"), lastFolder(studio, "folders/last_take"), tr("Takes (*.noctule)"));
+        parent, tr("Choose takes"), lastFolder(shared, "folders/last_take"), tr("Takes (*.noctule)"));
     if (!paths.isEmpty())
-        studio.settings().setValue("folders/last_take", QFileInfo(paths.first()).dir().path());
+        shared.settings().setValue("folders/last_take", QFileInfo(paths.first()).dir().path());
     return paths;
 }
 
-QString SessionCommands::askForMotion(QWidget* parent, Studio& studio) {
+QString SessionCommands::askForMotion(QWidget* parent, SharedContext& shared) {
     const QString path = QFileDialog::getOpenFileName(parent, tr("Choose a motion"),
-                                                      studio.settings().value("folders/motions").toString(),
+                                                      shared.settings().value("folders/motions").toString(),
                                                       tr("Motions (*.bvh *.fbx *.glb *.gltf *.vrm *.dae)"));
     if (!path.isEmpty())
-        studio.settings().setValue("folders/motions", QFileInfo(path).path());
+        shared.settings().setValue("folders/motions", QFileInfo(path).path());
     return path;
 }
 
-QStringList SessionCommands::askForRecording(QWidget* parent, Studio& studio) {
+QStringList SessionCommands::askForRecording(QWidget* parent, SharedContext& shared) {
     const QStringList paths = QFileDialog::getOpenFileNames(
         parent, tr("Choose the files of one recording"),
-        studio.settings().value("folders/recordings").toString(),
+        shared.settings().value("folders/recordings").toString(),
         tr("Recordings of sensors (*.mat *.mvnx *.txt *.ximu3 *.sto *.csv *.tsv)"));
     if (!paths.isEmpty())
-        studio.settings().setValue("folders/recordings", QFileInfo(paths.first()).path());
+        shared.settings().setValue("folders/recordings", QFileInfo(paths.first()).path());
     return paths;
 }
 
-void SessionCommands::import(QWidget* parent, Studio& studio, const QStringList& paths) {
-    if (!paths.isEmpty() && !studio.session().isOpen())
-        askForNew(parent, studio);
-    if (!paths.isEmpty() && studio.session().isOpen())
-        studio.session().importTakes(paths);
+void SessionCommands::import(QWidget* parent, SharedContext& shared, const QStringList& paths) {
+    if (!paths.isEmpty() && !shared.session().isOpen())
+        askForNew(parent, shared);
+    if (!paths.isEmpty() && shared.session().isOpen())
+        shared.session().importTakes(paths);
 }
 
-void SessionCommands::askForImport(QWidget* parent, Studio& studio) {
-    import(parent, studio, askForTakes(parent, studio));
+void SessionCommands::askForImport(QWidget* parent, SharedContext& shared) {
+    import(parent, shared, askForTakes(parent, shared));
 }
 
 }  // namespace noctule::ui

@@ -10,22 +10,22 @@ class QWidget;
 
 namespace noctule::ui {
 
-class Studio;
+class SharedContext;
 
 class SessionCommands {
     Q_DECLARE_TR_FUNCTIONS(SessionCommands)
 public:
-    static void askForNew(QWidget* parent, Studio& studio);
-    static void askToOpen(QWidget* parent, Studio& studio);
+    static void askForNew(QWidget* parent, SharedContext& shared);
+    static void askToOpen(QWidget* parent, SharedContext& shared);
     /// Empty when the operator thought better of it.
-    static QStringList askForTakes(QWidget* parent, Studio& studio);
-    static QString askForMotion(QWidget* parent, Studio& studio);
+    static QStringList askForTakes(QWidget* parent, SharedContext& shared);
+    static QString askForMotion(QWidget* parent, SharedContext& shared);
     /// Files of one recording of other sensors.
-    static QStringList askForRecording(QWidget* parent, Studio& studio);
+    static QStringList askForRecording(QWidget* parent, SharedContext& shared);
     /// Asks which takes, and for a session first when none is open.
-    static void askForImport(QWidget* parent, Studio& studio);
+    static void askForImport(QWidget* parent, SharedContext& shared);
     /// A new session first when none is open.
-    static void import(QWidget* parent, Studio& studio, const QStringList& paths);
+    static void import(QWidget* parent, SharedContext& shared, const QStringList& paths);
 
     /// Whether a session lies in the folder.
     static bool isSession(const QString& folder);

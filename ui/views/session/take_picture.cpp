@@ -8,7 +8,7 @@
 #include <QStandardPaths>
 
 #include "core/review/take_review.h"
-#include "ui/models/studio.h"
+#include "ui/models/shared_context.h"
 #include "ui/scene/scene_view.h"
 #include "ui/style/theme.h"
 
@@ -56,15 +56,15 @@ Result<QImage> paintTake(const std::shared_ptr<const SkinnedMesh>& body, const s
 
 }  // namespace
 
-void takePicture(Studio& studio, const QString& take_path, const QSize& size_px,
+void takePicture(SharedContext& shared, const QString& take_path, const QSize& size_px,
                  std::function<void(const QImage&)> done) {
     const QString cached = cachePath(take_path, size_px);
     if (const QImage picture(cached); !picture.isNull())
         return done(picture);
-    studio.whenBodyIsThere(&studio, [&studio, take_path, size_px, cached, done = std::move(done)] {
-        studio.jobs().start<QImage>(
-            Studio::tr("Picture of %1").arg(QFileInfo(take_path).completeBaseName()),
-            [body = studio.body(), path = take_path.toStdString(), size_px, cached](const JobContext& job) {
+    shared.whenBodyIsThere(&shared, [&shared, take_path, size_px, cached, done = std::move(done)] {
+        shared.jobs().start<QImage>(
+            SharedContext::tr("Picture of %1").arg(QFileInfo(take_path).completeBaseName()),
+            [body = shared.body(), path = take_path.toStdString(), size_px, cached](const JobContext& job) {
                 return paintTake(body, path, size_px, cached, job);
             },
             [done](Result<QImage> picture) -> QString {

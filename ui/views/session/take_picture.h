@@ -10,11 +10,11 @@
 
 namespace noctule::ui {
 
-class Studio;
+class SharedContext;
 
 /// `done` runs on the interface's thread, and not at all when there is no picture. It must not outlive what
 /// it touches.
-void takePicture(Studio& studio, const QString& take_path, const QSize& size_px,
+void takePicture(SharedContext& shared, const QString& take_path, const QSize& size_px,
                  std::function<void(const QImage&)> done);
 
 }  // namespace noctule::ui
