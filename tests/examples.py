@@ -23,9 +23,10 @@ def take_with_poses(path):
     take = sqlite3.connect(path)
     take.executescript("""
         CREATE TABLE derived (run INTEGER PRIMARY KEY, kind TEXT, name TEXT);
-        CREATE TABLE pose (run INTEGER, time_ns INTEGER, px REAL, py REAL, pz REAL, q BLOB);
+        CREATE TABLE pose (run INTEGER, suit INTEGER, time_ns INTEGER, px REAL, py REAL, pz REAL, q BLOB);
         INSERT INTO derived VALUES (1, 'pose', 'test');
-        INSERT INTO pose SELECT 1, time_ns, px, py, pz, q FROM reference;""")
+        INSERT INTO pose SELECT 1, 1, time_ns, px, py, pz, q FROM reference;
+        INSERT INTO pose SELECT 1, 2, time_ns, px + 9, py, pz, q FROM reference;""")
     take.commit()
     return take
 
@@ -34,7 +35,7 @@ def expected_rows(take):
     joints = [joint["name"] for joint in json.loads(take.execute("SELECT json FROM actor").fetchone()[0])["joints"]]
     at = 4 * joints.index(JOINT)
     return [(time_ns / 1e9, x, y, z, *struct.unpack(f"<{4 * len(joints)}d", q)[at:at + 4]) for time_ns, x, y, z, q
-            in take.execute("SELECT time_ns, px, py, pz, q FROM pose ORDER BY time_ns")]
+            in take.execute("SELECT time_ns, px, py, pz, q FROM pose WHERE suit = 1 ORDER BY time_ns")]
 
 
 def printed_rows(command):

@@ -161,16 +161,18 @@ Result<std::string> addInRoom(const VerbContext& context, const EvaluateRequest&
            fixed((*in_world)->yaw_deg) + " deg";
 }
 
-/// One entry of `subjects` and one line each; the rest of the outcome is the first subject's.
+/// One entry of `subjects` and one line each; the rest of the outcome is the first subject's. `reports`: of
+/// the shown run, each subject's.
 Status addSubjects(const VerbContext& context, EvaluateRequest request,
-                   const std::vector<TakeSubject>& subjects, Outcome& outcome) {
+                   const std::vector<TakeSubject>& subjects, Outcome& outcome,
+                   std::vector<SubjectReport>& reports) {
     request.all_runs = false;
     outcome.json["subject"] = subjects.front().name;
     outcome.text =
         "subject " + subjects.front().name + ", of " + std::to_string(subjects.size()) + "\n" + outcome.text;
     for (const TakeSubject& subject : subjects) {
         request.suit = subject.suit();
-        const auto data = evaluateTake(request, context.job());
+        auto data = evaluateTake(request, context.job());
         if (!data)
             return data.error();
         const nlohmann::json all = evaluationJson(*data, *data->shownRun());
@@ -188,6 +190,7 @@ Status addSubjects(const VerbContext& context, EvaluateRequest request,
                                           fixed(comparison->root.position_m, 3) + " m"
                                     : std::string("no reference")) +
                         (in_room->empty() ? "" : "; " + *in_room) + "\n";
+        reports.push_back({subject.name, std::move(*data)});
     }
     return Done{};
 }
@@ -289,8 +292,9 @@ Result<Outcome> runEvaluate(const VerbContext& context) {
         outcome.json["motion"] = std::move(understood);
     if (shown.comparison)
         outcome.json["joints_matched"] = matchedJson(*shown.comparison);
+    std::vector<SubjectReport> reports;
     if (subjects->size() > 1) {
-        if (Status added = addSubjects(context, request, *subjects, outcome); !added)
+        if (Status added = addSubjects(context, request, *subjects, outcome, reports); !added)
             return added.error();
         if (Status added = addBetween(context, request, *subjects, outcome); !added)
             return added.error();
@@ -311,7 +315,9 @@ Result<Outcome> runEvaluate(const VerbContext& context) {
         outcome.text += "report                " + report_path + "\n";
     }
     if (!csv_path.empty()) {
-        if (Status written = writeFileAtomically(csv_path, jointsCsv(*data), overwrite); !written)
+        if (reports.empty())
+            reports.push_back({subjects->front().name, *data});
+        if (Status written = writeFileAtomically(csv_path, jointsCsv(reports), overwrite); !written)
             return written.error();
         outcome.json["csv"] = csv_path;
         outcome.text += "joints as CSV         " + csv_path + "\n";

@@ -212,15 +212,25 @@ std::string describe(const ExportRequest& request, const ExportSummary& summary,
 
 Outcome outcomeOf(const ExportRequest& request, const ExportSummary& summary) {
     Outcome outcome;
-    outcome.json = {{"take", request.take_path},        {"run", summary.run},
-                    {"frames", summary.frames},         {"fps", request.frames_per_second},
-                    {"duration_s", summary.duration_s}, {"files", summary.files}};
+    outcome.json = {{"take", request.take_path},
+                    {"run", summary.run},
+                    {"frames", summary.frames},
+                    {"fps", request.frames_per_second},
+                    {"duration_s", summary.duration_s},
+                    {"begin_s", summary.begin_s},
+                    {"files", summary.files}};
     if (!request.video_path.empty())
         outcome.json["film"] = {{"frames", summary.film_frames}, {"fps", request.film.frames_per_second}};
     if (request.worn)
         outcome.json["bones"] = request.worn->bones.node_of_joint;
     for (const std::string& file : summary.files)
         outcome.text += file + ": " + describe(request, summary, file) + " of run " + summary.run + ".\n";
+    if (request.from_s) {
+        char begin[80];
+        std::snprintf(begin, sizeof begin, "Time 0 of what is written is second %.6f of the take.\n",
+                      summary.begin_s);
+        outcome.text += begin;
+    }
     return outcome;
 }
 
@@ -337,7 +347,7 @@ std::vector<Option> fileOptions() {
 }
 
 std::vector<Option> partOptions() {
-    return {number("from", "S", 0, 86400, "first second of the take"),
+    return {number("from", "S", 0, 86400, "first second of the take; it becomes time 0 of what is written"),
             number("to", "S", 0, 86400, "last second of the take"),
             choice("root", {"moving", "in-place", "heading"},
                    "as captured; over one spot; over one spot and always facing forward")

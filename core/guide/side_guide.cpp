@@ -72,9 +72,10 @@ Hindrance SideGuide::see(const HealthReport& health, Guidance& guidance) {
         const bool is_known = isCalibrated(board);
         const double limit_rad = is_known ? kAskew_rad : kUncalibratedAskew_rad;
         guidance.askew_limit_rad = std::max(guidance.askew_limit_rad, limit_rad);
-        const double upright_m_per_s2 = accels[i].dot(side->up());
-        const double least =
-            is_known ? kStandardGravity_m_per_s2 / 2 : kStandardGravity_m_per_s2 - kUncalibrated_m_per_s2;
+        const std::optional<double> zero_m_per_s2 = is_known ? 0 : zeroAlong_m_per_s2(board, *side);
+        const double upright_m_per_s2 = accels[i].dot(side->up()) - side->sign * zero_m_per_s2.value_or(0);
+        const double least = zero_m_per_s2 ? kStandardGravity_m_per_s2 / 2
+                                           : kStandardGravity_m_per_s2 - kUncalibrated_m_per_s2;
         if (guidance.boards[index(board)] != GuidedBoard::kRight)
             continue;
         guidance.askew_rad[index(board)] = askew_rad(board, accels[i], *side);
@@ -96,6 +97,16 @@ std::optional<double> SideGuide::levelReading_m_per_s2(int board, int axis) cons
             ++sides;
         }
     return sides > 0 ? std::optional(sum_m_per_s2 / sides) : std::nullopt;
+}
+
+/// From sides in which the axis was level, else from the opposite one.
+std::optional<double> SideGuide::zeroAlong_m_per_s2(int board, const BoardSide& side) const {
+    if (const auto level_m_per_s2 = levelReading_m_per_s2(board, side.axis))
+        return level_m_per_s2;
+    const auto opposite = taken_[index(board)].find(stepOf(side.opposite()));
+    return opposite == taken_[index(board)].end()
+               ? std::nullopt
+               : std::optional(opposite->second[side.axis] + side.sign * kStandardGravity_m_per_s2);
 }
 
 void SideGuide::learn(int step, const HealthReport& health) {

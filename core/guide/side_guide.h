@@ -31,6 +31,7 @@ private:
     std::optional<double> askew_rad(int board, const Vector3d& accel_m_per_s2, const BoardSide& side) const;
 
     std::optional<double> levelReading_m_per_s2(int board, int axis) const;
+    std::optional<double> zeroAlong_m_per_s2(int board, const BoardSide& side) const;
 
     std::vector<std::map<int, Vector3d>> taken_;  ///< per board and side, m/s^2 with the calibration so far
 };

@@ -32,6 +32,14 @@ struct Evidence {
     Calibration base;
 };
 
+/// Each of these boards is solved for by itself: without readings nothing is found of it.
+void silence(const std::vector<std::string>& boards, std::vector<Observations>& takes) {
+    for (Observations& take : takes)
+        for (const std::string& id : boards)
+            if (const int board = take.suit.findBoard(id); board >= 0)
+                take.boards[static_cast<size_t>(board)].clear();
+}
+
 Result<Evidence> gather(const CalibrateRequest& request, const JobContext& job) {
     Evidence evidence;
     CalibrateRequest with_shapes = request;
@@ -104,9 +112,26 @@ private:
     const std::vector<Finding>& findings_;
 };
 
+/// Boards that were skipped are not judged by what of them was recorded all the same.
+void leaveOut(const CalibrateRequest& request, const Evidence& evidence, std::vector<Finding>& findings,
+              Calibration& found) {
+    for (const std::string& id : request.left_out) {
+        const int index = evidence.takes[0].suit.findBoard(id);
+        if (index < 0)
+            continue;
+        std::erase_if(findings, [&](const Finding& finding) { return finding.part == id; });
+        findings.push_back({Grade::kUsable, id, id + " was skipped and keeps what it had",
+                            "Repeat its steps when it is to be calibrated"});
+        const Board& board = evidence.takes[0].suit.boards[static_cast<size_t>(index)];
+        Calibration before = evidence.base;
+        entryOf(found, board) = entryOf(before, board);
+    }
+}
+
 template <class Report>
-CalibrationResult resultOf(const Report& report, const CalibrateRequest& request, const Evidence& evidence,
+CalibrationResult resultOf(Report report, const CalibrateRequest& request, const Evidence& evidence,
                            const std::string& procedure, Calibration found) {
+    leaveOut(request, evidence, report.findings, found);
     CalibrationResult result;
     Stamp(procedure, request, report.findings).put(found, evidence.base, evidence.takes[0].suit);
     result.calibration = std::move(found);
@@ -133,18 +158,20 @@ Result<CalibrationResult> calibrateSources(const CalibrateRequest& request, cons
 }
 
 Result<CalibrationResult> calibrateAccelerometers(const CalibrateRequest& request, const JobContext& job) {
-    const auto evidence = gather(request, job);
+    auto evidence = gather(request, job);
     if (!evidence)
         return evidence.error();
+    silence(request.left_out, evidence->takes);
     const AccelerometerReport report = calibrateAccelerometers(evidence->takes);
     return resultOf(report, request, *evidence, "accelerometers", report.applied(evidence->base));
 }
 
 Result<CalibrationResult> calibrateGyroscopes(const CalibrateRequest& request, double rpm,
                                               const JobContext& job) {
-    const auto evidence = gather(request, job);
+    auto evidence = gather(request, job);
     if (!evidence)
         return evidence.error();
+    silence(request.left_out, evidence->takes);
     const GyroscopeReport report = calibrateGyroscopes(evidence->takes, rpm);
     return resultOf(report, request, *evidence, "gyroscopes", report.applied(evidence->base));
 }

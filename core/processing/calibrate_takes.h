@@ -25,6 +25,8 @@ struct CalibrateRequest {
     std::optional<Calibration> base;
     std::optional<Actor> actor;  ///< none: the one in force in the take
     std::string created_utc;
+    std::vector<std::string>
+        left_out{};  ///< ids of boards that the operator skipped: they keep what they had
 };
 
 struct CalibrationResult {

@@ -70,7 +70,8 @@ Result<ExportSummary> exportTake(const ExportRequest& request, const JobContext&
         return exported.error();
     const MotionClip& clip = exported->clip;
     ExportSummary summary{
-        exported->run, clip.frames.size(), exported->filmed.frames.size(), clip.duration_s(), {}};
+        exported->run,    clip.frames.size(), exported->filmed.frames.size(), clip.duration_s(), {},
+        exported->begin_s};
     const auto writers = exportWriters(request, *exported);
     const double step = 0.7 / static_cast<double>(writers.size());
     for (const ExportWriter& writer : writers) {

@@ -55,6 +55,7 @@ struct ExportSummary {
     size_t film_frames = 0;  ///< of a film
     double duration_s = 0;
     std::vector<std::string> files;
+    double begin_s = 0;  ///< of the take's clock: time 0 of the files
 };
 
 /// One format: its name on the command line, the ending of its files, and where its path stands.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/processing/ingredients.h"
 
+#include <algorithm>
+
 #include "core/live/estimators.h"
 
 namespace noctule {
@@ -84,7 +86,7 @@ Result<Actor> chooseActor(const Take& take, const ProcessRequest& request, Ingre
     if (!stored)
         return stored.error();
     if (stored->empty()) {
-        warnings.push_back("The take names no actor: the default actor of 1.75 m is used.");
+        warnings.push_back("The take names no actor: the default actor of 1.75 m is used and kept in it.");
         return defaultActor();
     }
     auto in_force = take.actorInForce();
@@ -113,6 +115,39 @@ Status readDecoderSettings(const Take& take, const ProcessRequest& request, Ingr
     const bool own_choice = take.level() == TakeLevel::kSignal && take.suitIds().size() < 2;
     const EstimatorEntry& estimator = *findEstimator(request.tracker.estimator);
     in.decoder.detector = request.detector.value_or(own_choice ? estimator.detector : Detector::kInflection);
+    return Done{};
+}
+
+/// What a filter needs: without rates or distances its poses would be guesses, as they are of boards that sit
+/// on nobody. Sound and takes of several, whose ranges may be between suits, tell by themselves.
+Status checkSensors(const Take& take, const TrackerSettings& tracker, const Suit& suit,
+                    std::vector<std::string>& warnings) {
+    if (std::ranges::all_of(suit.boards, [](const Board& board) { return board.segment.empty(); }))
+        return unusableTake(
+            take, "none of its boards sits on a segment of the body",
+            "Say where they sit when it is imported (--map), or look at single sensors with orient");
+    if (take.level() != TakeLevel::kReadings || take.suitIds().size() > 1)
+        return Done{};
+    const auto measured = take.measured();
+    if (!measured)
+        return measured.error();
+    const SensorSelection& asked = tracker.sensors;
+    std::string missing;
+    const auto lacks = [&missing](bool wanted, bool there, const char* what) {
+        if (wanted && !there)
+            missing += (missing.empty() ? "" : ", ") + std::string(what);
+        return wanted && !there;
+    };
+    const bool no_rates = lacks(asked.gyroscopes, measured->gyroscopes, "no gyroscopes");
+    const bool no_distances = lacks(asked.distances, measured->distances, "no distances");
+    const bool no_forces = lacks(asked.accelerometers, measured->accelerometers, "no accelerometers");
+    const bool has_any = (asked.accelerometers && !no_forces) || (asked.gyroscopes && !no_rates) ||
+                         (asked.distances && !no_distances);
+    if (!has_any || (no_rates && !(asked.distances && !no_distances)))
+        return unusableTake(take, "it has " + missing + ", so this estimator has too little to go by",
+                            "Use --estimator orientation, which takes attitudes and accelerations");
+    if (!missing.empty())
+        warnings.push_back("The take has " + missing + "; the poses are made without.");
     return Done{};
 }
 
@@ -149,6 +184,9 @@ Result<Ingredients> gatherIngredients(const Take& take, const ProcessRequest& re
     if (Status fits = checkCalibration(take, in.suit, in.calibration, warnings); !fits)
         return fits.error();
     in.lack = lackOfTake(take, in.suit, in.calibration);
+    if (!(*estimator)->whole_take)
+        if (Status enough = checkSensors(take, request.tracker, in.suit, warnings); !enough)
+            return enough.error();
     auto actor = chooseActor(take, request, in, warnings);
     if (!actor)
         return actor.error();

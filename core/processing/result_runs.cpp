@@ -124,8 +124,8 @@ Status addDocuments(TakeEdit& edit, const ProcessRequest& request, Ingredients& 
             return id.error();
         in.calibration_id = *id;
     }
-    // Poses of other makers' sensors: the actor that stood in for a missing one is what they are of.
-    if (request.actor || (!in.actor_id && estimatorOf(request).whole_take)) {
+    // The actor that stood in for a missing one is what the poses are of.
+    if (request.actor || !in.actor_id) {
         auto id = edit.addActor(in.actor, request.created_utc);
         if (!id)
             return id.error();

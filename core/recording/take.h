@@ -99,6 +99,11 @@ public:
     Result<std::vector<ExternalRootRow>> externalRoot(int suit = kSuitInView) const;
     /// Whether the table (reference, external_root, adc_block, ...) has any row of the suit; quick.
     Result<bool> hasRows(const std::string& table, int suit = kSuitInView) const;
+    /// Of which sensors the primary readings and ranges hold any value.
+    struct Measured {
+        bool accelerometers = false, gyroscopes = false, distances = false;
+    };
+    Result<Measured> measured(int suit = kSuitInView) const;
 
     Result<std::vector<DerivedRun>> derivedRuns() const;
     Result<ReadingCursor> readings(int64_t run, int suit = kSuitInView) const;

@@ -37,7 +37,7 @@ Result<Stored<T>> Take::document(const std::string& table, const std::string& wh
     if (!there)
         return there.error();
     if (!*there)
-        return unusable("there is no " + table + " " + who, "Name one with --" + table);
+        return unusable("there is no " + table + " " + who, "Give one to process, with --" + table);
     const int64_t id = row->integer(0).value_or(0);
     Result<T> value =
         parse(json::parse(row->text(1).value_or("")), path() + ": " + table + " " + std::to_string(id));

@@ -271,6 +271,26 @@ Result<bool> Take::hasRows(const std::string& table, int suit) const {
     return row->has_value();
 }
 
+Result<Take::Measured> Take::measured(int suit) const {
+    suit = seen(suit);
+    const auto holds = [&](const std::string& table, const std::string& column) -> Result<bool> {
+        if (!schema_->has(table, column))
+            return false;
+        const auto row = database_->queryInteger("SELECT 1 FROM " + table + ofSuit(table, suit) +
+                                                 " AND run=" + std::to_string(kPrimaryRun) + " AND " +
+                                                 column + " IS NOT NULL LIMIT 1");
+        if (!row)
+            return row.error();
+        return row->has_value();
+    };
+    const auto accelerometers = holds("inertial", "ax"), gyroscopes = holds("inertial", "gx"),
+               distances = holds("range", "pulse");
+    for (const auto* found : {&accelerometers, &gyroscopes, &distances})
+        if (!*found)
+            return found->error();
+    return Measured{*accelerometers, *gyroscopes, *distances};
+}
+
 Result<std::vector<DerivedRun>> Take::derivedRuns() const {
     auto runs = collectRows<DerivedRun>(
         *database_, *log_, "derived",

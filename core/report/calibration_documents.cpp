@@ -166,7 +166,7 @@ CalibrationDocument documentOf(const AccelerometerReport& report) {
     CalibrationTable table{
         "Boards",
         "Standard deviations of the worst axis. Good: zeros within 2 mg, slopes within 0.04 %.",
-        {"board", "positions", "zero, mg", "slope, %", "worst |a| − g, m/s²"},
+        {"board", "positions", "σ of zero, mg", "σ of slope, %", "worst |a| − g, m/s²"},
         {}};
     for (const AccelerometerBoard& board : report.boards) {
         double worst = 0;
@@ -197,7 +197,7 @@ CalibrationDocument documentOf(const GyroscopeReport& report) {
     CalibrationTable table{
         "Boards",
         "Standard deviations of the worst axis. Good: zeros within 0.02 °/s, slopes within 0.03 %.",
-        {"board", "turns and rests", "zero, °/s", "slope, %"},
+        {"board", "turns and rests", "σ of zero, °/s", "σ of slope, %"},
         {}};
     for (const GyroscopeBoard& board : report.boards)
         table.rows.push_back({board.board.id, std::to_string(board.turns.size()),

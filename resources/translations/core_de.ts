@@ -463,7 +463,551 @@
     </message>
 </context>
 <context>
-    <name>core/calibration</name>
+    <name>core/calibration/accelerometer</name>
+    <message>
+        <source>Check that nothing shakes or pushes the board, and repeat this position</source>
+        <translation>Prüfen, ob etwas die Platine erschüttert oder anstößt, und diese Stellung wiederholen</translation>
+    </message>
+    <message>
+        <source>Check the board's range in the suit description; if that is right, change the board</source>
+        <translation>Den Messbereich der Platine in der Anzugbeschreibung prüfen; stimmt er, die Platine wechseln</translation>
+    </message>
+    <message>
+        <source>For a better result leave each side still for longer</source>
+        <translation>Für ein besseres Ergebnis jede Seite länger ruhen lassen</translation>
+    </message>
+    <message>
+        <source>Lay it down again and leave it alone for four seconds</source>
+        <translation>Sie noch einmal hinlegen und vier Sekunden lang in Ruhe lassen</translation>
+    </message>
+    <message>
+        <source>Lay it with %1 up and leave it alone for four seconds</source>
+        <translation>Sie mit %1 nach oben hinlegen und vier Sekunden lang in Ruhe lassen</translation>
+    </message>
+    <message>
+        <source>Press it into its seat, check that the plate is level, and repeat both sides</source>
+        <translation>Sie in ihr Fach drücken, prüfen, ob die Platte waagrecht ist, und beide Seiten wiederholen</translation>
+    </message>
+    <message>
+        <source>Press it into its seat, check that the plate is level, and repeat this side</source>
+        <translation>Sie in ihr Fach drücken, prüfen, ob die Platte waagrecht ist, und diese Seite wiederholen</translation>
+    </message>
+    <message>
+        <source>Push its plug in until it clicks, then repeat its six sides</source>
+        <translation>Den Stecker eindrücken, bis er klickt, dann ihre sechs Seiten wiederholen</translation>
+    </message>
+    <message>
+        <source>Repeat its six sides</source>
+        <translation>Ihre sechs Seiten wiederholen</translation>
+    </message>
+    <message>
+        <source>and</source>
+        <translation>und</translation>
+    </message>
+    <message>
+        <source>in a tilted position</source>
+        <translation>in einer geneigten Stellung</translation>
+    </message>
+    <message>
+        <source>its %1 and %2 sides are %3 from opposite; one of the two did not lie level</source>
+        <translation>ihre Seiten %1 und %2 liegen sich um %3 nicht genau gegenüber; eine der beiden lag nicht waagrecht</translation>
+    </message>
+    <message>
+        <source>its accelerometer reached the end of its range while it lay still</source>
+        <translation>ihr Beschleunigungssensor erreichte das Ende seines Messbereichs, während sie still lag</translation>
+    </message>
+    <message>
+        <source>its readings do not settle zero and slope</source>
+        <translation>ihre Messwerte legen Nullpunkt und Steigung nicht fest</translation>
+    </message>
+    <message>
+        <source>its zero is known to %1 mg and its slope to %2 %</source>
+        <translation>ihr Nullpunkt ist auf %1 mg und ihre Steigung auf %2 % bekannt</translation>
+    </message>
+    <message>
+        <source>lay %1 askew with its %2 side up</source>
+        <translation>lag um %1 schief mit ihrer Seite %2 nach oben</translation>
+    </message>
+    <message>
+        <source>never lay still with its %1%2</source>
+        <translation>lag nie still mit %1%2</translation>
+    </message>
+    <message>
+        <source>read gravity %1 m/s² off %2</source>
+        <translation>maß die Schwerkraft um %1 m/s² falsch, %2</translation>
+    </message>
+    <message>
+        <source>sent no readings</source>
+        <translation>sandte keine Messwerte</translation>
+    </message>
+    <message>
+        <source>side up</source>
+        <translation>nach oben</translation>
+    </message>
+    <message>
+        <source>sides up</source>
+        <translation>nach oben</translation>
+    </message>
+    <message>
+        <source>six sides are needed, but it lay still %1%2</source>
+        <translation>sechs Seiten sind nötig, aber sie lag nur %1%2 still</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Mal</translation>
+    </message>
+    <message>
+        <source>times</source>
+        <translation>Mal</translation>
+    </message>
+    <message>
+        <source>was moved while its %1 side was up, it lay still for %2 s</source>
+        <translation>wurde bewegt, während ihre Seite %1 oben war; sie lag %2 s lang still</translation>
+    </message>
+    <message>
+        <source>with its %1 side up</source>
+        <translation>mit ihrer Seite %1 nach oben</translation>
+    </message>
+</context>
+<context>
+    <name>core/calibration/gyroscope</name>
+    <message>
+        <source>%1 is more than 80 % of its gyroscope's range of %2 °/s</source>
+        <translation>%1 ist mehr als 80 % vom Messbereich ihres Gyroskops von %2 °/s</translation>
+    </message>
+    <message>
+        <source>%1, as the table turned the other way when the board was turned over</source>
+        <translation>%1, da sich der Drehteller andersherum drehte, als die Platine umgedreht war</translation>
+    </message>
+    <message>
+        <source>%1, with its %2 side up</source>
+        <translation>%1, mit ihrer Seite %2 nach oben</translation>
+    </message>
+    <message>
+        <source>%1: its zero is known to %2 °/s and its slope to %3 %</source>
+        <translation>%1: ihr Nullpunkt ist auf %2 °/s und ihre Steigung auf %3 % bekannt</translation>
+    </message>
+    <message>
+        <source>For a better result tilt the table by a third of a degree and repeat</source>
+        <translation>Für ein besseres Ergebnis den Drehteller um ein drittel Grad neigen und wiederholen</translation>
+    </message>
+    <message>
+        <source>Let each side turn evenly for longer, eight seconds or more</source>
+        <translation>Jede Seite länger gleichmäßig drehen lassen, acht Sekunden oder mehr</translation>
+    </message>
+    <message>
+        <source>Push its plug in until it clicks, then repeat its six turns</source>
+        <translation>Den Stecker eindrücken, bis er klickt, dann ihre sechs Drehungen wiederholen</translation>
+    </message>
+    <message>
+        <source>Repeat both sides with the table turning one way</source>
+        <translation>Beide Seiten bei gleicher Richtung des Drehtellers wiederholen</translation>
+    </message>
+    <message>
+        <source>Set the table to a slower speed, 33 1/3 or 45 rpm, and repeat</source>
+        <translation>Den Drehteller auf eine kleinere Drehzahl stellen, 33 1/3 oder 45 U/min, und wiederholen</translation>
+    </message>
+    <message>
+        <source>Set the table's speed with its stroboscope and repeat, to be sure</source>
+        <translation>Zur Sicherheit die Drehzahl des Drehtellers mit seinem Stroboskop einstellen und wiederholen</translation>
+    </message>
+    <message>
+        <source>State the speed that the table is set to</source>
+        <translation>Die Drehzahl angeben, auf die der Drehteller eingestellt ist</translation>
+    </message>
+    <message>
+        <source>The table turned %1 % %2 than %3; its measured speed counts</source>
+        <translation>Der Drehteller drehte sich %1 % %2 als %3; es gilt seine gemessene Drehzahl</translation>
+    </message>
+    <message>
+        <source>The table turned at about %1 rpm, not at %2</source>
+        <translation>Der Drehteller drehte sich mit etwa %1 U/min, nicht mit %2</translation>
+    </message>
+    <message>
+        <source>The table's true speed does not show, as it stands level or turned too briefly; %1 counts, which is good to about 0.1 %</source>
+        <translation>Die wahre Drehzahl des Drehtellers zeigt sich nicht, da er waagrecht steht oder sich zu kurz drehte; es gilt %1, auf etwa 0,1 % genau</translation>
+    </message>
+    <message>
+        <source>Turn it with its %1 side up as well, the table turning as before</source>
+        <translation>Sie auch mit ihrer Seite %1 nach oben drehen, der Drehteller dreht wie zuvor</translation>
+    </message>
+    <message>
+        <source>Turn it with its +%1 side up and again with its -%2 side up</source>
+        <translation>Sie mit ihrer Seite +%1 nach oben drehen und noch einmal mit ihrer Seite -%2 nach oben</translation>
+    </message>
+    <message>
+        <source>faster</source>
+        <translation>schneller</translation>
+    </message>
+    <message>
+        <source>its gyroscope reached the end of its range in a turn, which was left out</source>
+        <translation>ihr Gyroskop erreichte in einer Drehung das Ende seines Messbereichs; diese wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>slower</source>
+        <translation>langsamer</translation>
+    </message>
+    <message>
+        <source>turned about its</source>
+        <translation>drehte sich um ihre Achse</translation>
+    </message>
+    <message>
+        <source>turned about its %1 axis in one direction only</source>
+        <translation>drehte sich um ihre Achse %1 nur in einer Richtung</translation>
+    </message>
+    <message>
+        <source>was never turned evenly about its %1 axis</source>
+        <translation>drehte sich nie gleichmäßig um ihre Achse %1</translation>
+    </message>
+</context>
+<context>
+    <name>core/calibration/motion</name>
+    <message>
+        <source>%1 of %2 boards are heard in only %3 % of the movement in %4, in the median</source>
+        <translation>%1 von %2 Platinen sind im Median nur in %3 % der Bewegung in %4 zu hören</translation>
+    </message>
+    <message>
+        <source>%1, has not settled: the last step still turned it by %2°</source>
+        <translation>%1, hat sich nicht eingependelt: der letzte Schritt drehte sie noch um %2°</translation>
+    </message>
+    <message>
+        <source>%1, is found %2° and %3 cm from where the calibration before has it</source>
+        <translation>%1, liegt %2° und %3 cm von dort, wo die vorige Kalibrierung sie hat</translation>
+    </message>
+    <message>
+        <source>%1, is heard in only %2 % of the movement in %3</source>
+        <translation>%1, ist nur in %2 % der Bewegung in %3 zu hören</translation>
+    </message>
+    <message>
+        <source>%1, keeps its place of the rest pose: with the one that the movement gave it, seconds that were held out fit worse by %2 %</source>
+        <translation>%1, behält seinen Platz aus der Ruhehaltung: mit dem, den die Bewegung ergab, passen zurückgehaltene Sekunden um %2 % schlechter</translation>
+    </message>
+    <message>
+        <source>%1: a board or source is not on the performer's body</source>
+        <translation>%1: eine Platine oder Quelle sitzt nicht am Körper des Darstellers</translation>
+    </message>
+    <message>
+        <source>%1: there is no second of standing still to begin with</source>
+        <translation>%1: am Anfang fehlt eine Sekunde Stillstehen</translation>
+    </message>
+    <message>
+        <source>, keeps its place of the rest pose: the movement does not settle it</source>
+        <translation>, behält seinen Platz aus der Ruhehaltung: die Bewegung legt ihn nicht fest</translation>
+    </message>
+    <message>
+        <source>, keeps its place of the rest pose: the movement would turn it farther than a strap can</source>
+        <translation>, behält seinen Platz aus der Ruhehaltung: die Bewegung würde es weiter drehen, als ein Band nachgibt</translation>
+    </message>
+    <message>
+        <source>Bend forwards and sideways and turn the trunk to both sides</source>
+        <translation>Nach vorn und zur Seite beugen und den Rumpf zu beiden Seiten drehen</translation>
+    </message>
+    <message>
+        <source>Bend that ankle up and down and circle the foot</source>
+        <translation>Dieses Sprunggelenk auf und ab beugen und den Fuß kreisen</translation>
+    </message>
+    <message>
+        <source>Bend that elbow all the way and turn the palm up and down</source>
+        <translation>Diesen Ellbogen ganz beugen und die Handfläche auf und ab drehen</translation>
+    </message>
+    <message>
+        <source>Bend that knee all the way, with the thigh turned in and out</source>
+        <translation>Dieses Knie ganz beugen, mit dem Oberschenkel ein- und auswärts gedreht</translation>
+    </message>
+    <message>
+        <source>Bend that wrist up and down and to both sides, and turn the palm up and down</source>
+        <translation>Dieses Handgelenk auf, ab und zu beiden Seiten beugen und die Handfläche auf und ab drehen</translation>
+    </message>
+    <message>
+        <source>Calibrate the sources first and see that they are plugged in</source>
+        <translation>Zuerst die Quellen kalibrieren und prüfen, ob sie eingesteckt sind</translation>
+    </message>
+    <message>
+        <source>Circle that arm and turn it about its own length</source>
+        <translation>Diesen Arm kreisen und um seine Länge drehen</translation>
+    </message>
+    <message>
+        <source>Fitting the movement</source>
+        <translation>Bewegung wird angepasst</translation>
+    </message>
+    <message>
+        <source>Move again: squats, arm circles, leg swings, turns of trunk and head, bends of elbows, knees and wrists</source>
+        <translation>Noch einmal bewegen: Kniebeugen, Armkreisen, Beinschwingen, Drehen von Rumpf und Kopf, Beugen von Ellbogen, Knien und Handgelenken</translation>
+    </message>
+    <message>
+        <source>Move for 30 to 60 seconds</source>
+        <translation>30 bis 60 Sekunden lang bewegen</translation>
+    </message>
+    <message>
+        <source>No distance took part in %1, so lengths and places rest on accelerations alone</source>
+        <translation>Kein Abstand ging in %1 ein; Längen und Orte beruhen also allein auf Beschleunigungen</translation>
+    </message>
+    <message>
+        <source>Nod, tilt the head to both shoulders and look over both</source>
+        <translation>Nicken, den Kopf zu beiden Schultern neigen und über beide blicken</translation>
+    </message>
+    <message>
+        <source>Push its plug in until it clicks and see that its readings stay within their range, then move again</source>
+        <translation>Den Stecker eindrücken, bis er klickt, und prüfen, ob ihre Messwerte im Messbereich bleiben, dann noch einmal bewegen</translation>
+    </message>
+    <message>
+        <source>Put its strap right or correct the suit file, then calibrate again</source>
+        <translation>Den Gurt richten oder die Anzugdatei berichtigen, dann noch einmal kalibrieren</translation>
+    </message>
+    <message>
+        <source>Record the movement again, from a rest pose that is held still</source>
+        <translation>Die Bewegung noch einmal aufnehmen, aus einer ruhig gehaltenen Ruhehaltung</translation>
+    </message>
+    <message>
+        <source>Record with the suit worn, and with an actor that has its segments</source>
+        <translation>Mit angezogenem Anzug aufnehmen und mit einem Darsteller, der dessen Glieder hat</translation>
+    </message>
+    <message>
+        <source>See that the driver box reaches the computer without loss, and that the take is whole, then move again</source>
+        <translation>Sorgen Sie dafür, dass die Treiberbox den Rechner ohne Verlust erreicht und die Aufnahme vollständig ist; bewegen Sie sich dann noch einmal</translation>
+    </message>
+    <message>
+        <source>Shrug and roll that shoulder</source>
+        <translation>Diese Schulter heben und rollen</translation>
+    </message>
+    <message>
+        <source>Squat, lean to all sides and turn around</source>
+        <translation>In die Hocke gehen, sich nach allen Seiten neigen und umdrehen</translation>
+    </message>
+    <message>
+        <source>Stand still in the rest pose for three seconds, then move</source>
+        <translation>Drei Sekunden in der Ruhehaltung still stehen, dann bewegen</translation>
+    </message>
+    <message>
+        <source>Swing that leg forwards and sideways and turn it about its own length</source>
+        <translation>Dieses Bein nach vorn und zur Seite schwingen und um seine Länge drehen</translation>
+    </message>
+    <message>
+        <source>Swing that limb to all sides and turn it about its own length</source>
+        <translation>Dieses Glied nach allen Seiten schwingen und um seine Längsachse drehen</translation>
+    </message>
+    <message>
+        <source>The fit of the movement did not converge</source>
+        <translation>Die Anpassung an die Bewegung fand keine Lösung</translation>
+    </message>
+    <message>
+        <source>There are only %1 s of movement after the rest pose</source>
+        <translation>Nach der Ruhehaltung folgen nur %1 s Bewegung</translation>
+    </message>
+    <message>
+        <source>Too little movement to show how boards sit at: %1</source>
+        <translation>Zu wenig Bewegung, um zu zeigen, wie Platinen sitzen an: %1</translation>
+    </message>
+</context>
+<context>
+    <name>core/calibration/rest_pose</name>
+    <message>
+        <source>%1 boards sit otherwise than the calibration says</source>
+        <translation>%1 Platinen sitzen anders, als die Kalibrierung sagt</translation>
+    </message>
+    <message>
+        <source>%1 seem to be swapped</source>
+        <translation>%1 scheinen vertauscht</translation>
+    </message>
+    <message>
+        <source>%1%2 not calibrated</source>
+        <translation>%1%2 nicht kalibriert</translation>
+    </message>
+    <message>
+        <source>%1, feels %2 m/s² while it is still instead of %3</source>
+        <translation>%1, misst %2 m/s², während sie ruht, statt %3</translation>
+    </message>
+    <message>
+        <source>%1, is silent in the rest pose and keeps its old values</source>
+        <translation>%1, schweigt in der Ruhehaltung und behält ihre alten Werte</translation>
+    </message>
+    <message>
+        <source>%1, leans %2° otherwise at the end of the rest pose than at its beginning</source>
+        <translation>%1, ist am Ende der Ruhehaltung um %2° anders geneigt als am Anfang</translation>
+    </message>
+    <message>
+        <source>%1, moved at %2</source>
+        <translation>%1, bewegte sich bei %2</translation>
+    </message>
+    <message>
+        <source>%1, reads the end of its range while it is still</source>
+        <translation>%1, misst das Ende ihres Messbereichs, während sie ruht</translation>
+    </message>
+    <message>
+        <source>%1, sits %2° askew from where the suit file says</source>
+        <translation>%1, sitzt um %2° schief gegenüber der Anzugdatei</translation>
+    </message>
+    <message>
+        <source>%1, sits about %2 cm from where the suit file says</source>
+        <translation>%1, sitzt etwa %2 cm von dort, wo die Anzugdatei sie hat</translation>
+    </message>
+    <message>
+        <source>%1; only the stillness from %2 to %3 was used</source>
+        <translation>%1; nur die Ruhe von %2 bis %3 wurde verwendet</translation>
+    </message>
+    <message>
+        <source>%1; there is no second of standing still in %2</source>
+        <translation>%1; keine Sekunde Stillstehen in %2</translation>
+    </message>
+    <message>
+        <source>, nor %1 other pairs</source>
+        <translation>, auch nicht %1 weitere Paare</translation>
+    </message>
+    <message>
+        <source>Accelerometers are not calibrated: every tilt found here is uncertain by about %1°</source>
+        <translation>Beschleunigungssensoren sind nicht kalibriert: jede hier gefundene Neigung ist um etwa %1° unsicher</translation>
+    </message>
+    <message>
+        <source>Board %1, hears its sources about %2 cm from where the calibration puts it</source>
+        <translation>Platine %1, hört ihre Quellen etwa %2 cm von dort, wo die Kalibrierung sie hat</translation>
+    </message>
+    <message>
+        <source>Boards %1 and %2 seem to be exchanged</source>
+        <translation>Platinen %1 und %2 scheinen vertauscht</translation>
+    </message>
+    <message>
+        <source>Calibrate its accelerometer</source>
+        <translation>Ihren Beschleunigungssensor kalibrieren</translation>
+    </message>
+    <message>
+        <source>Calibrate the accelerometers first</source>
+        <translation>Zuerst die Beschleunigungssensoren kalibrieren</translation>
+    </message>
+    <message>
+        <source>Calibrate the rest pose again</source>
+        <translation>Die Ruhehaltung neu kalibrieren</translation>
+    </message>
+    <message>
+        <source>Calibrate them in step Calibrate, then check the suit</source>
+        <translation>Sie im Schritt Kalibrieren kalibrieren, dann den Anzug kontrollieren</translation>
+    </message>
+    <message>
+        <source>Change the board</source>
+        <translation>Die Platine wechseln</translation>
+    </message>
+    <message>
+        <source>Check whether each sits where it belongs</source>
+        <translation>Prüfen, ob jede sitzt, wo sie hingehört</translation>
+    </message>
+    <message>
+        <source>Exchange the two boards, then hold the rest pose again</source>
+        <translation>Die beiden Platinen tauschen, dann die Ruhehaltung noch einmal halten</translation>
+    </message>
+    <message>
+        <source>Exchange their plugs at the driver box, or drag the one onto the other on Connect</source>
+        <translation>Ihre Stecker an der Steuerbox tauschen oder auf Verbinden die eine auf die andere ziehen</translation>
+    </message>
+    <message>
+        <source>Exchange their two plugs at the box, then hold the rest pose again</source>
+        <translation>Ihre beiden Stecker an der Box tauschen, dann die Ruhehaltung noch einmal halten</translation>
+    </message>
+    <message>
+        <source>Exchange them on the body, or drag the one onto the other on Connect</source>
+        <translation>Sie am Körper tauschen oder auf Verbinden die eine auf die andere ziehen</translation>
+    </message>
+    <message>
+        <source>Hold the rest pose again</source>
+        <translation>Die Ruhehaltung noch einmal halten</translation>
+    </message>
+    <message>
+        <source>Hold the rest pose again if the other results are poor</source>
+        <translation>Die Ruhehaltung noch einmal halten, wenn die anderen Ergebnisse schlecht sind</translation>
+    </message>
+    <message>
+        <source>No board of the suit is heard in the rest pose</source>
+        <translation>Keine Platine des Anzugs ist in der Ruhehaltung zu hören</translation>
+    </message>
+    <message>
+        <source>No distance took part, so left and right boards that were swapped may pass unseen</source>
+        <translation>Kein Abstand ging ein; vertauschte linke und rechte Platinen können so unbemerkt bleiben</translation>
+    </message>
+    <message>
+        <source>Nothing in this take tells boards %1 apart%2: gravity is alike on both and no sound decides</source>
+        <translation>Nichts in dieser Aufnahme unterscheidet die Platinen %1%2: die Schwerkraft ist an beiden gleich, und kein Schall entscheidet</translation>
+    </message>
+    <message>
+        <source>Push its plug in until it clicks, then hold the rest pose again</source>
+        <translation>Den Stecker eindrücken, bis er klickt, dann die Ruhehaltung noch einmal halten</translation>
+    </message>
+    <message>
+        <source>Put it back, or calibrate the rest pose again</source>
+        <translation>Ihn zurückschieben oder die Ruhehaltung neu kalibrieren</translation>
+    </message>
+    <message>
+        <source>Put it right or correct the suit file, then hold the rest pose again</source>
+        <translation>Sie richten oder die Anzugdatei berichtigen, dann die Ruhehaltung noch einmal halten</translation>
+    </message>
+    <message>
+        <source>Put its strap right or correct the suit file, then hold the rest pose again</source>
+        <translation>Den Gurt richten oder die Anzugdatei berichtigen, dann die Ruhehaltung noch einmal halten</translation>
+    </message>
+    <message>
+        <source>Rest pose</source>
+        <translation>Ruhehaltung</translation>
+    </message>
+    <message>
+        <source>Rest pose: comparing boards</source>
+        <translation>Ruhehaltung: Platinen werden verglichen</translation>
+    </message>
+    <message>
+        <source>See that it was made by this performer in this suit, or calibrate the rest pose again</source>
+        <translation>Prüfen, ob sie von diesem Darsteller in diesem Anzug stammt, oder die Ruhehaltung neu kalibrieren</translation>
+    </message>
+    <message>
+        <source>See that the box is connected and the boards are plugged in, then record again</source>
+        <translation>Prüfen, ob die Box verbunden ist und die Platinen eingesteckt sind, dann noch einmal aufnehmen</translation>
+    </message>
+    <message>
+        <source>See that the performer stands in the rest pose there, or record one</source>
+        <translation>Prüfen, ob der Darsteller dort in der Ruhehaltung steht, oder eine aufnehmen</translation>
+    </message>
+    <message>
+        <source>See whether it sits where it belongs, or calibrate the rest pose again</source>
+        <translation>Prüfen, ob sie sitzt, wo sie hingehört, oder die Ruhehaltung neu kalibrieren</translation>
+    </message>
+    <message>
+        <source>Stand still in the rest pose for three seconds</source>
+        <translation>Drei Sekunden in der Ruhehaltung still stehen</translation>
+    </message>
+    <message>
+        <source>The fit of the rest pose did not converge</source>
+        <translation>Die Anpassung an die Ruhehaltung fand keine Lösung</translation>
+    </message>
+    <message>
+        <source>The gyroscope of board %1, %2, has drifted by about %3°/s</source>
+        <translation>Das Gyroskop von Platine %1, %2, ist um etwa %3°/s gedriftet</translation>
+    </message>
+    <message>
+        <source>The gyroscopes of %1 boards have drifted, by up to %2°/s</source>
+        <translation>Die Gyroskope von %1 Platinen sind gedriftet, um bis zu %2°/s</translation>
+    </message>
+    <message>
+        <source>The strap of board %1, has slipped by about %2°</source>
+        <translation>Der Gurt von Platine %1, ist um etwa %2° verrutscht</translation>
+    </message>
+    <message>
+        <source>The take marks no rest pose; the longest stillness was taken for it, from %1 to %2</source>
+        <translation>Die Aufnahme markiert keine Ruhehaltung; als solche gilt die längste Ruhe, von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>There is no second of standing still in %1</source>
+        <translation>Keine Sekunde Stillstehen in %1</translation>
+    </message>
+    <message>
+        <source>are</source>
+        <translation>sind</translation>
+    </message>
+    <message>
+        <source>the marked rest pose</source>
+        <translation>der markierten Ruhehaltung</translation>
+    </message>
+    <message>
+        <source>the take, which marks no rest pose</source>
+        <translation>der Aufnahme, die keine Ruhehaltung markiert</translation>
+    </message>
+</context>
+<context>
+    <name>core/calibration/source_offsets</name>
     <message>
         <source>%1 %2 of placement %3 stands in line %4 already</source>
         <translation>%1 %2 von Aufstellung %3 steht schon in Zeile %4</translation>
@@ -475,10 +1019,6 @@
     <message>
         <source>%1 and %2 more</source>
         <translation>%1 und %2 weitere</translation>
-    </message>
-    <message>
-        <source>%1 boards sit otherwise than the calibration says</source>
-        <translation>%1 Platinen sitzen anders, als die Kalibrierung sagt</translation>
     </message>
     <message>
         <source>%1 could not be calibrated and keeps what it had: %2</source>
@@ -513,10 +1053,6 @@
         <translation>%1 ist leer</translation>
     </message>
     <message>
-        <source>%1 is more than 80 % of its gyroscope's range of %2 °/s</source>
-        <translation>%1 ist mehr als 80 % vom Messbereich ihres Gyroskops von %2 °/s</translation>
-    </message>
-    <message>
         <source>%1 is no plain text</source>
         <translation>%1 ist kein reiner Text</translation>
     </message>
@@ -533,88 +1069,16 @@
         <translation>%1 nennt Teile, die dieser Anzug nicht hat: %2</translation>
     </message>
     <message>
-        <source>%1 of %2 boards are heard in only %3 % of the movement in %4, in the median</source>
-        <translation>%1 von %2 Platinen sind im Median nur in %3 % der Bewegung in %4 zu hören</translation>
-    </message>
-    <message>
-        <source>%1 seem to be swapped</source>
-        <translation>%1 scheinen vertauscht</translation>
-    </message>
-    <message>
         <source>%1 than the thermometer says</source>
         <translation>%1 als vom Thermometer angezeigt</translation>
-    </message>
-    <message>
-        <source>%1%2 not calibrated</source>
-        <translation>%1%2 nicht kalibriert</translation>
     </message>
     <message>
         <source>%1%2 to %3, in placement %4</source>
         <translation>%1%2 zu %3, in Aufstellung %4</translation>
     </message>
     <message>
-        <source>%1, as the table turned the other way when the board was turned over</source>
-        <translation>%1, da sich der Drehteller andersherum drehte, als die Platine umgedreht war</translation>
-    </message>
-    <message>
-        <source>%1, feels %2 m/s² while it is still instead of %3</source>
-        <translation>%1, misst %2 m/s², während sie ruht, statt %3</translation>
-    </message>
-    <message>
-        <source>%1, has not settled: the last step still turned it by %2°</source>
-        <translation>%1, hat sich nicht eingependelt: der letzte Schritt drehte sie noch um %2°</translation>
-    </message>
-    <message>
-        <source>%1, is found %2° and %3 cm from where the calibration before has it</source>
-        <translation>%1, liegt %2° und %3 cm von dort, wo die vorige Kalibrierung sie hat</translation>
-    </message>
-    <message>
-        <source>%1, is heard in only %2 % of the movement in %3</source>
-        <translation>%1, ist nur in %2 % der Bewegung in %3 zu hören</translation>
-    </message>
-    <message>
-        <source>%1, is silent in the rest pose and keeps its old values</source>
-        <translation>%1, schweigt in der Ruhehaltung und behält ihre alten Werte</translation>
-    </message>
-    <message>
-        <source>%1, keeps its place of the rest pose: with the one that the movement gave it, seconds that were held out fit worse by %2 %</source>
-        <translation>%1, behält seinen Platz aus der Ruhehaltung: mit dem, den die Bewegung ergab, passen zurückgehaltene Sekunden um %2 % schlechter</translation>
-    </message>
-    <message>
-        <source>%1, leans %2° otherwise at the end of the rest pose than at its beginning</source>
-        <translation>%1, ist am Ende der Ruhehaltung um %2° anders geneigt als am Anfang</translation>
-    </message>
-    <message>
-        <source>%1, moved at %2</source>
-        <translation>%1, bewegte sich bei %2</translation>
-    </message>
-    <message>
-        <source>%1, reads the end of its range while it is still</source>
-        <translation>%1, misst das Ende ihres Messbereichs, während sie ruht</translation>
-    </message>
-    <message>
-        <source>%1, sits %2° askew from where the suit file says</source>
-        <translation>%1, sitzt um %2° schief gegenüber der Anzugdatei</translation>
-    </message>
-    <message>
-        <source>%1, sits about %2 cm from where the suit file says</source>
-        <translation>%1, sitzt etwa %2 cm von dort, wo die Anzugdatei sie hat</translation>
-    </message>
-    <message>
-        <source>%1, with its %2 side up</source>
-        <translation>%1, mit ihrer Seite %2 nach oben</translation>
-    </message>
-    <message>
-        <source>%1: a board or source is not on the performer's body</source>
-        <translation>%1: eine Platine oder Quelle sitzt nicht am Körper des Darstellers</translation>
-    </message>
-    <message>
         <source>%1: its offset is known to %2 only</source>
         <translation>%1: ihr Versatz ist nur auf %2 bekannt</translation>
-    </message>
-    <message>
-        <source>%1: its zero is known to %2 °/s and its slope to %3 %</source>
-        <translation>%1: ihr Nullpunkt ist auf %2 °/s und ihre Steigung auf %3 % bekannt</translation>
     </message>
     <message>
         <source>%1: placement %2 has no row of a %3</source>
@@ -625,36 +1089,8 @@
         <translation>%1: der Schall sagt %2%3 als die Datei, in %4 von %5 Messungen; sie sind ausgelassen</translation>
     </message>
     <message>
-        <source>%1: there is no second of standing still to begin with</source>
-        <translation>%1: am Anfang fehlt eine Sekunde Stillstehen</translation>
-    </message>
-    <message>
-        <source>%1; only the stillness from %2 to %3 was used</source>
-        <translation>%1; nur die Ruhe von %2 bis %3 wurde verwendet</translation>
-    </message>
-    <message>
-        <source>%1; there is no second of standing still in %2</source>
-        <translation>%1; keine Sekunde Stillstehen in %2</translation>
-    </message>
-    <message>
         <source>, in placement %1</source>
         <translation>, in Aufstellung %1</translation>
-    </message>
-    <message>
-        <source>, keeps its place of the rest pose: the movement does not settle it</source>
-        <translation>, behält seinen Platz aus der Ruhehaltung: die Bewegung legt ihn nicht fest</translation>
-    </message>
-    <message>
-        <source>, keeps its place of the rest pose: the movement would turn it farther than a strap can</source>
-        <translation>, behält seinen Platz aus der Ruhehaltung: die Bewegung würde es weiter drehen, als ein Band nachgibt</translation>
-    </message>
-    <message>
-        <source>, nor %1 other pairs</source>
-        <translation>, auch nicht %1 weitere Paare</translation>
-    </message>
-    <message>
-        <source>Accelerometers are not calibrated: every tilt found here is uncertain by about %1°</source>
-        <translation>Beschleunigungssensoren sind nicht kalibriert: jede hier gefundene Neigung ist um etwa %1° unsicher</translation>
     </message>
     <message>
         <source>Add one row per measurement</source>
@@ -669,76 +1105,8 @@
         <translation>Die Punkte hinzufügen oder die Aufstellung entfernen</translation>
     </message>
     <message>
-        <source>Bend forwards and sideways and turn the trunk to both sides</source>
-        <translation>Nach vorn und zur Seite beugen und den Rumpf zu beiden Seiten drehen</translation>
-    </message>
-    <message>
-        <source>Bend that ankle up and down and circle the foot</source>
-        <translation>Dieses Sprunggelenk auf und ab beugen und den Fuß kreisen</translation>
-    </message>
-    <message>
-        <source>Bend that elbow all the way and turn the palm up and down</source>
-        <translation>Diesen Ellbogen ganz beugen und die Handfläche auf und ab drehen</translation>
-    </message>
-    <message>
-        <source>Bend that knee all the way, with the thigh turned in and out</source>
-        <translation>Dieses Knie ganz beugen, mit dem Oberschenkel ein- und auswärts gedreht</translation>
-    </message>
-    <message>
-        <source>Bend that wrist up and down and to both sides, and turn the palm up and down</source>
-        <translation>Dieses Handgelenk auf, ab und zu beiden Seiten beugen und die Handfläche auf und ab drehen</translation>
-    </message>
-    <message>
-        <source>Board %1, hears its sources about %2 cm from where the calibration puts it</source>
-        <translation>Platine %1, hört ihre Quellen etwa %2 cm von dort, wo die Kalibrierung sie hat</translation>
-    </message>
-    <message>
-        <source>Boards %1 and %2 seem to be exchanged</source>
-        <translation>Platinen %1 und %2 scheinen vertauscht</translation>
-    </message>
-    <message>
-        <source>Calibrate its accelerometer</source>
-        <translation>Ihren Beschleunigungssensor kalibrieren</translation>
-    </message>
-    <message>
-        <source>Calibrate the accelerometers first</source>
-        <translation>Zuerst die Beschleunigungssensoren kalibrieren</translation>
-    </message>
-    <message>
-        <source>Calibrate the rest pose again</source>
-        <translation>Die Ruhehaltung neu kalibrieren</translation>
-    </message>
-    <message>
-        <source>Calibrate the sources first and see that they are plugged in</source>
-        <translation>Zuerst die Quellen kalibrieren und prüfen, ob sie eingesteckt sind</translation>
-    </message>
-    <message>
-        <source>Calibrate them in step Calibrate, then check the suit</source>
-        <translation>Sie im Schritt Kalibrieren kalibrieren, dann den Anzug kontrollieren</translation>
-    </message>
-    <message>
         <source>Calibrate them one by one</source>
         <translation>Sie einzeln kalibrieren</translation>
-    </message>
-    <message>
-        <source>Change the board</source>
-        <translation>Die Platine wechseln</translation>
-    </message>
-    <message>
-        <source>Check that nothing shakes or pushes the board, and repeat this position</source>
-        <translation>Prüfen, ob etwas die Platine erschüttert oder anstößt, und diese Stellung wiederholen</translation>
-    </message>
-    <message>
-        <source>Check the board's range in the suit description; if that is right, change the board</source>
-        <translation>Den Messbereich der Platine in der Anzugbeschreibung prüfen; stimmt er, die Platine wechseln</translation>
-    </message>
-    <message>
-        <source>Check whether each sits where it belongs</source>
-        <translation>Prüfen, ob jede sitzt, wo sie hingehört</translation>
-    </message>
-    <message>
-        <source>Circle that arm and turn it about its own length</source>
-        <translation>Diesen Arm kreisen und um seine Länge drehen</translation>
     </message>
     <message>
         <source>Close it in the same line</source>
@@ -773,40 +1141,12 @@
         <translation>Abstände liegen im Mittel um %1 daneben, im schlechtesten Fall um %2; gut ist weniger als %3</translation>
     </message>
     <message>
-        <source>Exchange the two boards, then hold the rest pose again</source>
-        <translation>Die beiden Platinen tauschen, dann die Ruhehaltung noch einmal halten</translation>
-    </message>
-    <message>
         <source>Exchange the two labels in the file, or the two parts on the suit, and calibrate again</source>
         <translation>Die beiden Bezeichnungen in der Datei oder die beiden Teile am Anzug tauschen und noch einmal kalibrieren</translation>
     </message>
     <message>
-        <source>Exchange their plugs at the driver box, or drag the one onto the other on Connect</source>
-        <translation>Ihre Stecker an der Steuerbox tauschen oder auf Verbinden die eine auf die andere ziehen</translation>
-    </message>
-    <message>
-        <source>Exchange their two plugs at the box, then hold the rest pose again</source>
-        <translation>Ihre beiden Stecker an der Box tauschen, dann die Ruhehaltung noch einmal halten</translation>
-    </message>
-    <message>
-        <source>Exchange them on the body, or drag the one onto the other on Connect</source>
-        <translation>Sie am Körper tauschen oder auf Verbinden die eine auf die andere ziehen</translation>
-    </message>
-    <message>
         <source>Fill it in or remove the row</source>
         <translation>Sie ausfüllen oder die Zeile entfernen</translation>
-    </message>
-    <message>
-        <source>Fitting the movement</source>
-        <translation>Bewegung wird angepasst</translation>
-    </message>
-    <message>
-        <source>For a better result leave each side still for longer</source>
-        <translation>Für ein besseres Ergebnis jede Seite länger ruhen lassen</translation>
-    </message>
-    <message>
-        <source>For a better result tilt the table by a third of a degree and repeat</source>
-        <translation>Für ein besseres Ergebnis den Drehteller um ein drittel Grad neigen und wiederholen</translation>
     </message>
     <message>
         <source>Give a number such as 0.512</source>
@@ -825,14 +1165,6 @@
         <translation>Den Aufstellungen in der Datei und in der Aufnahme dieselben Bezeichnungen geben</translation>
     </message>
     <message>
-        <source>Hold the rest pose again</source>
-        <translation>Die Ruhehaltung noch einmal halten</translation>
-    </message>
-    <message>
-        <source>Hold the rest pose again if the other results are poor</source>
-        <translation>Die Ruhehaltung noch einmal halten, wenn die anderen Ergebnisse schlecht sind</translation>
-    </message>
-    <message>
         <source>In %1, placement %2, source %3 and board %4 are at the same point</source>
         <translation>In %1, Aufstellung %2, sind Quelle %3 und Platine %4 am selben Punkt</translation>
     </message>
@@ -847,18 +1179,6 @@
     <message>
         <source>Keep one unit</source>
         <translation>Bei einer Einheit bleiben</translation>
-    </message>
-    <message>
-        <source>Lay it down again and leave it alone for four seconds</source>
-        <translation>Sie noch einmal hinlegen und vier Sekunden lang in Ruhe lassen</translation>
-    </message>
-    <message>
-        <source>Lay it with %1 up and leave it alone for four seconds</source>
-        <translation>Sie mit %1 nach oben hinlegen und vier Sekunden lang in Ruhe lassen</translation>
-    </message>
-    <message>
-        <source>Let each side turn evenly for longer, eight seconds or more</source>
-        <translation>Jede Seite länger gleichmäßig drehen lassen, acht Sekunden oder mehr</translation>
     </message>
     <message>
         <source>Look for a wrong scale in the distances, then for a wrong thermometer</source>
@@ -897,32 +1217,12 @@
         <translation>Beheben, was die anderen Zeilen nennen, und noch einmal kalibrieren</translation>
     </message>
     <message>
-        <source>Move again: squats, arm circles, leg swings, turns of trunk and head, bends of elbows, knees and wrists</source>
-        <translation>Noch einmal bewegen: Kniebeugen, Armkreisen, Beinschwingen, Drehen von Rumpf und Kopf, Beugen von Ellbogen, Knien und Handgelenken</translation>
-    </message>
-    <message>
-        <source>Move for 30 to 60 seconds</source>
-        <translation>30 bis 60 Sekunden lang bewegen</translation>
-    </message>
-    <message>
         <source>Name the columns</source>
         <translation>Die Spalten benennen</translation>
     </message>
     <message>
         <source>Name the columns %1</source>
         <translation>Die Spalten %1 nennen</translation>
-    </message>
-    <message>
-        <source>No board of the suit is heard in the rest pose</source>
-        <translation>Keine Platine des Anzugs ist in der Ruhehaltung zu hören</translation>
-    </message>
-    <message>
-        <source>No distance took part in %1, so lengths and places rest on accelerations alone</source>
-        <translation>Kein Abstand ging in %1 ein; Längen und Orte beruhen also allein auf Beschleunigungen</translation>
-    </message>
-    <message>
-        <source>No distance took part, so left and right boards that were swapped may pass unseen</source>
-        <translation>Kein Abstand ging ein; vertauschte linke und rechte Platinen können so unbemerkt bleiben</translation>
     </message>
     <message>
         <source>No placement of %1 (%2) is marked in the take (%3)</source>
@@ -937,54 +1237,6 @@
         <translation>So groß ist kein Anzug: die Zeilen entfernen, die nicht zu ihm gehören</translation>
     </message>
     <message>
-        <source>Nod, tilt the head to both shoulders and look over both</source>
-        <translation>Nicken, den Kopf zu beiden Schultern neigen und über beide blicken</translation>
-    </message>
-    <message>
-        <source>Nothing in this take tells boards %1 apart%2: gravity is alike on both and no sound decides</source>
-        <translation>Nichts in dieser Aufnahme unterscheidet die Platinen %1%2: die Schwerkraft ist an beiden gleich, und kein Schall entscheidet</translation>
-    </message>
-    <message>
-        <source>Press it into its seat, check that the plate is level, and repeat both sides</source>
-        <translation>Sie in ihr Fach drücken, prüfen, ob die Platte waagrecht ist, und beide Seiten wiederholen</translation>
-    </message>
-    <message>
-        <source>Press it into its seat, check that the plate is level, and repeat this side</source>
-        <translation>Sie in ihr Fach drücken, prüfen, ob die Platte waagrecht ist, und diese Seite wiederholen</translation>
-    </message>
-    <message>
-        <source>Push its plug in until it clicks and see that its readings stay within their range, then move again</source>
-        <translation>Den Stecker eindrücken, bis er klickt, und prüfen, ob ihre Messwerte im Messbereich bleiben, dann noch einmal bewegen</translation>
-    </message>
-    <message>
-        <source>Push its plug in until it clicks, then hold the rest pose again</source>
-        <translation>Den Stecker eindrücken, bis er klickt, dann die Ruhehaltung noch einmal halten</translation>
-    </message>
-    <message>
-        <source>Push its plug in until it clicks, then repeat its six sides</source>
-        <translation>Den Stecker eindrücken, bis er klickt, dann ihre sechs Seiten wiederholen</translation>
-    </message>
-    <message>
-        <source>Push its plug in until it clicks, then repeat its six turns</source>
-        <translation>Den Stecker eindrücken, bis er klickt, dann ihre sechs Drehungen wiederholen</translation>
-    </message>
-    <message>
-        <source>Put it back, or calibrate the rest pose again</source>
-        <translation>Ihn zurückschieben oder die Ruhehaltung neu kalibrieren</translation>
-    </message>
-    <message>
-        <source>Put it right or correct the suit file, then hold the rest pose again</source>
-        <translation>Sie richten oder die Anzugdatei berichtigen, dann die Ruhehaltung noch einmal halten</translation>
-    </message>
-    <message>
-        <source>Put its strap right or correct the suit file, then calibrate again</source>
-        <translation>Den Gurt richten oder die Anzugdatei berichtigen, dann noch einmal kalibrieren</translation>
-    </message>
-    <message>
-        <source>Put its strap right or correct the suit file, then hold the rest pose again</source>
-        <translation>Den Gurt richten oder die Anzugdatei berichtigen, dann die Ruhehaltung noch einmal halten</translation>
-    </message>
-    <message>
         <source>Record it again and leave the jig alone between the markers</source>
         <translation>Noch einmal aufnehmen und das Messgestell zwischen den Marken in Ruhe lassen</translation>
     </message>
@@ -997,32 +1249,8 @@
         <translation>Eine aufnehmen, in der jede Aufstellung markiert ist</translation>
     </message>
     <message>
-        <source>Record the movement again, from a rest pose that is held still</source>
-        <translation>Die Bewegung noch einmal aufnehmen, aus einer ruhig gehaltenen Ruhehaltung</translation>
-    </message>
-    <message>
-        <source>Record with the suit worn, and with an actor that has its segments</source>
-        <translation>Mit angezogenem Anzug aufnehmen und mit einem Darsteller, der dessen Glieder hat</translation>
-    </message>
-    <message>
         <source>Remove what is too much</source>
         <translation>Entfernen, was zu viel ist</translation>
-    </message>
-    <message>
-        <source>Repeat both sides with the table turning one way</source>
-        <translation>Beide Seiten bei gleicher Richtung des Drehtellers wiederholen</translation>
-    </message>
-    <message>
-        <source>Repeat its six sides</source>
-        <translation>Ihre sechs Seiten wiederholen</translation>
-    </message>
-    <message>
-        <source>Rest pose</source>
-        <translation>Ruhehaltung</translation>
-    </message>
-    <message>
-        <source>Rest pose: comparing boards</source>
-        <translation>Ruhehaltung: Platinen werden verglichen</translation>
     </message>
     <message>
         <source>Save the table as CSV in UTF-8</source>
@@ -1033,10 +1261,6 @@
         <translation>Prüfen, ob sie tönt und die Datei ihren Punkt hat</translation>
     </message>
     <message>
-        <source>See that it was made by this performer in this suit, or calibrate the rest pose again</source>
-        <translation>Prüfen, ob sie von diesem Darsteller in diesem Anzug stammt, oder die Ruhehaltung neu kalibrieren</translation>
-    </message>
-    <message>
         <source>See that its plug sits and that its microphone's opening is free</source>
         <translation>Prüfen, ob ihr Stecker sitzt und die Öffnung ihres Mikrofons frei ist</translation>
     </message>
@@ -1045,64 +1269,12 @@
         <translation>Prüfen, ob ihr Punkt dort angetastet wurde, wo der Schall sie verlässt</translation>
     </message>
     <message>
-        <source>See that the box is connected and the boards are plugged in, then record again</source>
-        <translation>Prüfen, ob die Box verbunden ist und die Platinen eingesteckt sind, dann noch einmal aufnehmen</translation>
-    </message>
-    <message>
         <source>See that the distances reach from the source's face to the microphone's opening</source>
         <translation>Prüfen, ob die Abstände von der Vorderseite der Quelle zur Öffnung des Mikrofons reichen</translation>
     </message>
     <message>
-        <source>See that the driver box reaches the computer without loss, and that the take is whole, then move again</source>
-        <translation>Sorgen Sie dafür, dass die Treiberbox den Rechner ohne Verlust erreicht und die Aufnahme vollständig ist; bewegen Sie sich dann noch einmal</translation>
-    </message>
-    <message>
         <source>See that the file belongs to this take and that its labels are right</source>
         <translation>Prüfen, ob die Datei zu dieser Aufnahme gehört und ihre Bezeichnungen stimmen</translation>
-    </message>
-    <message>
-        <source>See that the performer stands in the rest pose there, or record one</source>
-        <translation>Prüfen, ob der Darsteller dort in der Ruhehaltung steht, oder eine aufnehmen</translation>
-    </message>
-    <message>
-        <source>See whether it sits where it belongs, or calibrate the rest pose again</source>
-        <translation>Prüfen, ob sie sitzt, wo sie hingehört, oder die Ruhehaltung neu kalibrieren</translation>
-    </message>
-    <message>
-        <source>Set the table to a slower speed, 33 1/3 or 45 rpm, and repeat</source>
-        <translation>Den Drehteller auf eine kleinere Drehzahl stellen, 33 1/3 oder 45 U/min, und wiederholen</translation>
-    </message>
-    <message>
-        <source>Set the table's speed with its stroboscope and repeat, to be sure</source>
-        <translation>Zur Sicherheit die Drehzahl des Drehtellers mit seinem Stroboskop einstellen und wiederholen</translation>
-    </message>
-    <message>
-        <source>Shrug and roll that shoulder</source>
-        <translation>Diese Schulter heben und rollen</translation>
-    </message>
-    <message>
-        <source>Squat, lean to all sides and turn around</source>
-        <translation>In die Hocke gehen, sich nach allen Seiten neigen und umdrehen</translation>
-    </message>
-    <message>
-        <source>Stand still in the rest pose for three seconds</source>
-        <translation>Drei Sekunden in der Ruhehaltung still stehen</translation>
-    </message>
-    <message>
-        <source>Stand still in the rest pose for three seconds, then move</source>
-        <translation>Drei Sekunden in der Ruhehaltung still stehen, dann bewegen</translation>
-    </message>
-    <message>
-        <source>State the speed that the table is set to</source>
-        <translation>Die Drehzahl angeben, auf die der Drehteller eingestellt ist</translation>
-    </message>
-    <message>
-        <source>Swing that leg forwards and sideways and turn it about its own length</source>
-        <translation>Dieses Bein nach vorn und zur Seite schwingen und um seine Länge drehen</translation>
-    </message>
-    <message>
-        <source>Swing that limb to all sides and turn it about its own length</source>
-        <translation>Dieses Glied nach allen Seiten schwingen und um seine Längsachse drehen</translation>
     </message>
     <message>
         <source>The distances are too much alike to tell the speed of sound; it is known to %1 %</source>
@@ -1117,56 +1289,12 @@
         <translation>Die Abstände von %1 sind %2-mal zu %3%4</translation>
     </message>
     <message>
-        <source>The fit of the movement did not converge</source>
-        <translation>Die Anpassung an die Bewegung fand keine Lösung</translation>
-    </message>
-    <message>
-        <source>The fit of the rest pose did not converge</source>
-        <translation>Die Anpassung an die Ruhehaltung fand keine Lösung</translation>
-    </message>
-    <message>
         <source>The flight times do not follow the distances: they differ by %1 on the whole</source>
         <translation>Die Laufzeiten folgen den Abständen nicht: sie weichen im Ganzen um %1 ab</translation>
     </message>
     <message>
-        <source>The gyroscope of board %1, %2, has drifted by about %3°/s</source>
-        <translation>Das Gyroskop von Platine %1, %2, ist um etwa %3°/s gedriftet</translation>
-    </message>
-    <message>
-        <source>The gyroscopes of %1 boards have drifted, by up to %2°/s</source>
-        <translation>Die Gyroskope von %1 Platinen sind gedriftet, um bis zu %2°/s</translation>
-    </message>
-    <message>
-        <source>The strap of board %1, has slipped by about %2°</source>
-        <translation>Der Gurt von Platine %1, ist um etwa %2° verrutscht</translation>
-    </message>
-    <message>
-        <source>The table turned %1 % %2 than %3; its measured speed counts</source>
-        <translation>Der Drehteller drehte sich %1 % %2 als %3; es gilt seine gemessene Drehzahl</translation>
-    </message>
-    <message>
-        <source>The table turned at about %1 rpm, not at %2</source>
-        <translation>Der Drehteller drehte sich mit etwa %1 U/min, nicht mit %2</translation>
-    </message>
-    <message>
-        <source>The table's true speed does not show, as it stands level or turned too briefly; %1 counts, which is good to about 0.1 %</source>
-        <translation>Die wahre Drehzahl des Drehtellers zeigt sich nicht, da er waagrecht steht oder sich zu kurz drehte; es gilt %1, auf etwa 0,1 % genau</translation>
-    </message>
-    <message>
         <source>The take has no marker for these placements of %1: %2</source>
         <translation>Die Aufnahme hat keine Marke für diese Aufstellungen von %1: %2</translation>
-    </message>
-    <message>
-        <source>The take marks no rest pose; the longest stillness was taken for it, from %1 to %2</source>
-        <translation>Die Aufnahme markiert keine Ruhehaltung; als solche gilt die längste Ruhe, von %1 bis %2</translation>
-    </message>
-    <message>
-        <source>There are only %1 s of movement after the rest pose</source>
-        <translation>Nach der Ruhehaltung folgen nur %1 s Bewegung</translation>
-    </message>
-    <message>
-        <source>There is no second of standing still in %1</source>
-        <translation>Keine Sekunde Stillstehen in %1</translation>
     </message>
     <message>
         <source>There is no take of the jig</source>
@@ -1181,18 +1309,6 @@
         <translation>Das sieht nach der anderen Art von Tabelle aus, %1; sie als solche angeben</translation>
     </message>
     <message>
-        <source>Too little movement to show how boards sit at: %1</source>
-        <translation>Zu wenig Bewegung, um zu zeigen, wie Platinen sitzen an: %1</translation>
-    </message>
-    <message>
-        <source>Turn it with its %1 side up as well, the table turning as before</source>
-        <translation>Sie auch mit ihrer Seite %1 nach oben drehen, der Drehteller dreht wie zuvor</translation>
-    </message>
-    <message>
-        <source>Turn it with its +%1 side up and again with its -%2 side up</source>
-        <translation>Sie mit ihrer Seite +%1 nach oben drehen und noch einmal mit ihrer Seite -%2 nach oben</translation>
-    </message>
-    <message>
         <source>Write decimals with a point, or put semicolons between the cells</source>
         <translation>Dezimalzahlen mit Punkt schreiben oder Strichpunkte zwischen die Zellen setzen</translation>
     </message>
@@ -1205,16 +1321,8 @@
         <translation>ein Anführungszeichen bleibt offen</translation>
     </message>
     <message>
-        <source>and</source>
-        <translation>und</translation>
-    </message>
-    <message>
         <source>and %1 more</source>
         <translation>und %1 weitere</translation>
-    </message>
-    <message>
-        <source>are</source>
-        <translation>sind</translation>
     </message>
     <message>
         <source>as if centimetres stood under a heading in metres</source>
@@ -1273,40 +1381,12 @@
         <translation>Spalte %1 ist leer</translation>
     </message>
     <message>
-        <source>faster</source>
-        <translation>schneller</translation>
-    </message>
-    <message>
-        <source>in a tilted position</source>
-        <translation>in einer geneigten Stellung</translation>
-    </message>
-    <message>
         <source>in placement %1</source>
         <translation>in Aufstellung %1</translation>
     </message>
     <message>
-        <source>its %1 and %2 sides are %3 from opposite; one of the two did not lie level</source>
-        <translation>ihre Seiten %1 und %2 liegen sich um %3 nicht genau gegenüber; eine der beiden lag nicht waagrecht</translation>
-    </message>
-    <message>
-        <source>its accelerometer reached the end of its range while it lay still</source>
-        <translation>ihr Beschleunigungssensor erreichte das Ende seines Messbereichs, während sie still lag</translation>
-    </message>
-    <message>
-        <source>its gyroscope reached the end of its range in a turn, which was left out</source>
-        <translation>ihr Gyroskop erreichte in einer Drehung das Ende seines Messbereichs; diese wurde ausgelassen</translation>
-    </message>
-    <message>
         <source>its label looks exchanged</source>
         <translation>ihre Bezeichnung scheint vertauscht</translation>
-    </message>
-    <message>
-        <source>its readings do not settle zero and slope</source>
-        <translation>ihre Messwerte legen Nullpunkt und Steigung nicht fest</translation>
-    </message>
-    <message>
-        <source>its zero is known to %1 mg and its slope to %2 %</source>
-        <translation>ihr Nullpunkt ist auf %1 mg und ihre Steigung auf %2 % bekannt</translation>
     </message>
     <message>
         <source>kind is %1</source>
@@ -1317,20 +1397,12 @@
         <translation>groß,</translation>
     </message>
     <message>
-        <source>lay %1 askew with its %2 side up</source>
-        <translation>lag um %1 schief mit ihrer Seite %2 nach oben</translation>
-    </message>
-    <message>
         <source>less</source>
         <translation>weniger</translation>
     </message>
     <message>
         <source>more</source>
         <translation>mehr</translation>
-    </message>
-    <message>
-        <source>never lay still with its %1%2</source>
-        <translation>lag nie still mit %1%2</translation>
     </message>
     <message>
         <source>no board heard it where its distance is known</source>
@@ -1353,30 +1425,6 @@
         <translation>Aufstellung %1 hat mehr als %2 Punkte der Art %3</translation>
     </message>
     <message>
-        <source>read gravity %1 m/s² off %2</source>
-        <translation>maß die Schwerkraft um %1 m/s² falsch, %2</translation>
-    </message>
-    <message>
-        <source>sent no readings</source>
-        <translation>sandte keine Messwerte</translation>
-    </message>
-    <message>
-        <source>side up</source>
-        <translation>nach oben</translation>
-    </message>
-    <message>
-        <source>sides up</source>
-        <translation>nach oben</translation>
-    </message>
-    <message>
-        <source>six sides are needed, but it lay still %1%2</source>
-        <translation>sechs Seiten sind nötig, aber sie lag nur %1%2 still</translation>
-    </message>
-    <message>
-        <source>slower</source>
-        <translation>langsamer</translation>
-    </message>
-    <message>
         <source>small,</source>
         <translation>klein,</translation>
     </message>
@@ -1393,14 +1441,6 @@
         <translation>der Abstand ist nicht größer als 0</translation>
     </message>
     <message>
-        <source>the marked rest pose</source>
-        <translation>der markierten Ruhehaltung</translation>
-    </message>
-    <message>
-        <source>the take, which marks no rest pose</source>
-        <translation>der Aufnahme, die keine Ruhehaltung markiert</translation>
-    </message>
-    <message>
         <source>there are %1 cells under %2 columns</source>
         <translation>unter %2 Spalten stehen %1 Zellen</translation>
     </message>
@@ -1413,40 +1453,12 @@
         <translation>dieses Paar von Aufstellung %1 steht schon in Zeile %2</translation>
     </message>
     <message>
-        <source>time</source>
-        <translation>Mal</translation>
-    </message>
-    <message>
-        <source>times</source>
-        <translation>Mal</translation>
-    </message>
-    <message>
-        <source>turned about its</source>
-        <translation>drehte sich um ihre Achse</translation>
-    </message>
-    <message>
-        <source>turned about its %1 axis in one direction only</source>
-        <translation>drehte sich um ihre Achse %1 nur in einer Richtung</translation>
-    </message>
-    <message>
         <source>two columns are named %1</source>
         <translation>zwei Spalten heißen %1</translation>
     </message>
     <message>
         <source>warmer</source>
         <translation>wärmer</translation>
-    </message>
-    <message>
-        <source>was moved while its %1 side was up, it lay still for %2 s</source>
-        <translation>wurde bewegt, während ihre Seite %1 oben war; sie lag %2 s lang still</translation>
-    </message>
-    <message>
-        <source>was never turned evenly about its %1 axis</source>
-        <translation>drehte sich nie gleichmäßig um ihre Achse %1</translation>
-    </message>
-    <message>
-        <source>with its %1 side up</source>
-        <translation>mit ihrer Seite %1 nach oben</translation>
     </message>
 </context>
 <context>
@@ -3345,10 +3357,6 @@
 <context>
     <name>core/mesh</name>
     <message>
-        <source>%1 cannot be started: %2</source>
-        <translation>%1 lässt sich nicht starten: %2</translation>
-    </message>
-    <message>
         <source>%1 hangs on a bone that does not exist</source>
         <translation>%1 hängt an einem Knochen, den es nicht gibt</translation>
     </message>
@@ -3357,20 +3365,103 @@
         <translation>%1 hat ein Gewicht außerhalb von 0 bis 1</translation>
     </message>
     <message>
-        <source>%1 has fewer matrices than joints</source>
-        <translation>%1 hat weniger Matrizen als Gelenke</translation>
-    </message>
-    <message>
-        <source>%1 has no joints</source>
-        <translation>%1 hat keine Gelenke</translation>
-    </message>
-    <message>
         <source>%1 has no place on its texture</source>
         <translation>%1 hat keinen Ort auf der Textur</translation>
     </message>
     <message>
         <source>%1 has weights that do not sum to 1</source>
         <translation>%1 hat Gewichte, deren Summe nicht 1 ist</translation>
+    </message>
+    <message>
+        <source>%1 stands nowhere</source>
+        <translation>%1 steht nirgends</translation>
+    </message>
+    <message>
+        <source>%1: %2 %3; %4 at most can be used</source>
+        <translation>%1: %2 %3; höchstens %4 sind möglich</translation>
+    </message>
+    <message>
+        <source>an animation has no usable name or length</source>
+        <translation>eine Animation hat keinen brauchbaren Namen oder keine brauchbare Länge</translation>
+    </message>
+    <message>
+        <source>an animation moves a node that does not exist, or has no keys</source>
+        <translation>eine Animation bewegt einen Knoten, den es nicht gibt, oder hat keine Schlüsselbilder</translation>
+    </message>
+    <message>
+        <source>animation keys</source>
+        <translation>Schlüsselbilder von Animationen</translation>
+    </message>
+    <message>
+        <source>bone %1 has no node</source>
+        <translation>Knochen %1 hat keinen Knoten</translation>
+    </message>
+    <message>
+        <source>bone %1 is bound by a matrix without inverse</source>
+        <translation>Knochen %1 ist durch eine Matrix ohne Inverse gebunden</translation>
+    </message>
+    <message>
+        <source>bones and their nodes do not match</source>
+        <translation>Knochen und ihre Knoten passen nicht zusammen</translation>
+    </message>
+    <message>
+        <source>bytes of texture</source>
+        <translation>Bytes einer Textur</translation>
+    </message>
+    <message>
+        <source>bytes of textures</source>
+        <translation>Bytes von Texturen</translation>
+    </message>
+    <message>
+        <source>its colour is none</source>
+        <translation>die Farbe ist keine</translation>
+    </message>
+    <message>
+        <source>its materials do not hold its triangles</source>
+        <translation>die Materialien enthalten nicht die Dreiecke</translation>
+    </message>
+    <message>
+        <source>its parts do not hold its triangles</source>
+        <translation>die Teile enthalten nicht die Dreiecke</translation>
+    </message>
+    <message>
+        <source>its texture has another size than it says</source>
+        <translation>die Textur hat eine andere Größe, als sie angibt</translation>
+    </message>
+    <message>
+        <source>its texture is neither PNG nor JPEG</source>
+        <translation>die Textur ist weder PNG noch JPEG</translation>
+    </message>
+    <message>
+        <source>key %1 of the animation of %2 is no place or time</source>
+        <translation>Schlüsselbild %1 der Animation von %2 ist kein Ort oder keine Zeit</translation>
+    </message>
+    <message>
+        <source>node %1 has a name of %2 bytes</source>
+        <translation>Knoten %1 hat einen Namen von %2 Bytes</translation>
+    </message>
+    <message>
+        <source>node %1 stands before its parent</source>
+        <translation>Knoten %1 steht vor seinem übergeordneten Knoten</translation>
+    </message>
+    <message>
+        <source>node %1 stands nowhere</source>
+        <translation>Knoten %1 steht nirgends</translation>
+    </message>
+</context>
+<context>
+    <name>core/mesh/import</name>
+    <message>
+        <source>%1 cannot be started: %2</source>
+        <translation>%1 lässt sich nicht starten: %2</translation>
+    </message>
+    <message>
+        <source>%1 has fewer matrices than joints</source>
+        <translation>%1 hat weniger Matrizen als Gelenke</translation>
+    </message>
+    <message>
+        <source>%1 has no joints</source>
+        <translation>%1 hat keine Gelenke</translation>
     </message>
     <message>
         <source>%1 holds too many numbers</source>
@@ -3393,22 +3484,6 @@
         <translation>%1 zeigt über seinen Puffer hinaus</translation>
     </message>
     <message>
-        <source>%1 stands nowhere</source>
-        <translation>%1 steht nirgends</translation>
-    </message>
-    <message>
-        <source>%1: %2 %3; %4 at most can be used</source>
-        <translation>%1: %2 %3; höchstens %4 sind möglich</translation>
-    </message>
-    <message>
-        <source>%1: %2 has no place</source>
-        <translation>%1: %2 hat keinen Ort</translation>
-    </message>
-    <message>
-        <source>%1: a newer version of the program wrote this map of bones</source>
-        <translation>%1: eine neuere Version des Programms schrieb diese Knochenzuordnung</translation>
-    </message>
-    <message>
         <source>%1: bones belong to no joint: %2</source>
         <translation>%1: Knochen gehören zu keinem Gelenk: %2</translation>
     </message>
@@ -3429,20 +3504,12 @@
         <translation>%1: die Animationen enthalten zu viele Schlüsselbilder</translation>
     </message>
     <message>
-        <source>%1: its legs have no length</source>
-        <translation>%1: die Beine haben keine Länge</translation>
-    </message>
-    <message>
         <source>%1: meshes of this kind cannot be read</source>
         <translation>%1: Netze dieser Art sind nicht lesbar</translation>
     </message>
     <message>
         <source>%1: no mesh in it has a skin</source>
         <translation>%1: kein Netz darin hat eine Haut</translation>
-    </message>
-    <message>
-        <source>%1: no part of its surface hangs on the bone %2 (%3%4) or below it</source>
-        <translation>%1: kein Teil der Oberfläche hängt am Knochen %2 (%3%4) oder darunter</translation>
     </message>
     <message>
         <source>%1: no pipe to a reader: %2</source>
@@ -3457,24 +3524,12 @@
         <translation>%1: die Datei %2, die die Daten enthält, liegt nicht daneben</translation>
     </message>
     <message>
-        <source>%1: the performer's skeleton has no %2 for the bone %3</source>
-        <translation>%1: das Skelett des Darstellers hat kein %2 für den Knochen %3</translation>
-    </message>
-    <message>
         <source>%1: there is no such file</source>
         <translation>%1: diese Datei gibt es nicht</translation>
     </message>
     <message>
         <source>%1: there is no triangle in it</source>
         <translation>%1: kein Dreieck ist darin</translation>
-    </message>
-    <message>
-        <source>%1: these are no landmarks of a body; %2 is missing</source>
-        <translation>%1: das sind keine Orte der Gelenke eines Körpers; %2 fehlt</translation>
-    </message>
-    <message>
-        <source>%1: this is no map of bones</source>
-        <translation>%1: das ist keine Knochenzuordnung</translation>
     </message>
     <message>
         <source>%1: this is no mesh that can be read (%2)</source>
@@ -3485,36 +3540,12 @@
         <translation>%1: Eckpunkt %2 hängt an keinem Knochen</translation>
     </message>
     <message>
-        <source>: no bones are found for %1</source>
-        <translation>: keine Knochen wurden gefunden für %1</translation>
-    </message>
-    <message>
-        <source>: no human skeleton is found in it</source>
-        <translation>: kein menschliches Skelett wurde darin gefunden</translation>
-    </message>
-    <message>
         <source>Choose a .glb or .gltf file</source>
         <translation>Eine .glb- oder .gltf-Datei wählen</translation>
     </message>
     <message>
         <source>Choose a .glb, .gltf, .vrm, .fbx, .dae, .obj or .ply file</source>
         <translation>Eine .glb-, .gltf-, .vrm-, .fbx-, .dae-, .obj- oder .ply-Datei wählen</translation>
-    </message>
-    <message>
-        <source>Choose a file that was saved as a bone map</source>
-        <translation>Eine Datei wählen, die als Knochenzuordnung gesichert wurde</translation>
-    </message>
-    <message>
-        <source>Choose a file that was saved as landmarks</source>
-        <translation>Eine Datei wählen, in der Orte der Gelenke gesichert wurden</translation>
-    </message>
-    <message>
-        <source>Choose another bone for it</source>
-        <translation>Einen anderen Knochen dafür wählen</translation>
-    </message>
-    <message>
-        <source>Choose other bones for thighs, shins and feet</source>
-        <translation>Andere Knochen für Oberschenkel, Unterschenkel und Füße wählen</translation>
     </message>
     <message>
         <source>Close other programs and try again</source>
@@ -3573,14 +3604,6 @@
         <translation>Das Netz noch einmal exportieren; diese Datei ist beschädigt oder wurde falsch geschrieben</translation>
     </message>
     <message>
-        <source>Finding bones</source>
-        <translation>Knochen werden gesucht</translation>
-    </message>
-    <message>
-        <source>Fitting a skeleton</source>
-        <translation>Skelett wird eingepasst</translation>
-    </message>
-    <message>
         <source>Give every vertex a weight (in Blender: Parent, With Automatic Weights), and export again</source>
         <translation>Jedem Eckpunkt ein Gewicht geben (in Blender: Parent, With Automatic Weights) und noch einmal exportieren</translation>
     </message>
@@ -3589,60 +3612,16 @@
         <translation>Jedem Eckpunkt der Haut ein Gewicht geben</translation>
     </message>
     <message>
-        <source>Give the skin weights, or say in a map of bones which bones move it</source>
-        <translation>Der Haut Gewichte geben oder in einer Knochenzuordnung angeben, welche Knochen sie bewegen</translation>
-    </message>
-    <message>
         <source>Install the program again; this one belongs beside it</source>
         <translation>Das Programm neu installieren; dieses gehört daneben</translation>
-    </message>
-    <message>
-        <source>Looking for each point's bone</source>
-        <translation>Zu jedem Punkt wird der Knochen gesucht</translation>
-    </message>
-    <message>
-        <source>Name its bones as HumanIK, Mixamo, VRM or Rigify do, or say which bone is which in a map of bones</source>
-        <translation>Die Knochen wie HumanIK, Mixamo, VRM oder Rigify benennen oder in einer Knochenzuordnung angeben, welcher Knochen welcher ist</translation>
     </message>
     <message>
         <source>Name the bones as HumanIK or Mixamo do: Hips, Spine, LeftArm, LeftForeArm</source>
         <translation>Die Knochen wie HumanIK oder Mixamo benennen: Hips, Spine, LeftArm, LeftForeArm</translation>
     </message>
     <message>
-        <source>Open it with that version, or map the bones again</source>
-        <translation>Sie mit dieser Version öffnen oder die Knochen neu zuordnen</translation>
-    </message>
-    <message>
-        <source>Repair the mesh: it must be the closed surface of a body</source>
-        <translation>Das Netz reparieren: es muss die geschlossene Oberfläche eines Körpers sein</translation>
-    </message>
-    <message>
-        <source>Set all joints of the body</source>
-        <translation>Alle Gelenke des Körpers setzen</translation>
-    </message>
-    <message>
         <source>Simplify the mesh in the program that made it</source>
         <translation>Das Netz in dem Programm vereinfachen, mit dem es gemacht wurde</translation>
-    </message>
-    <message>
-        <source>Spreading heat</source>
-        <translation>Wärme wird verteilt</translation>
-    </message>
-    <message>
-        <source>Use a figure that stands upright with its arms away from its body, or set the joints by hand</source>
-        <translation>Eine Figur verwenden, die aufrecht steht und die Arme vom Körper weghält, oder die Gelenke von Hand setzen</translation>
-    </message>
-    <message>
-        <source>Use a skeleton with the canonical joints, or leave that bone out</source>
-        <translation>Ein Skelett mit den üblichen Gelenken verwenden oder diesen Knochen auslassen</translation>
-    </message>
-    <message>
-        <source>Weights cannot be found: parts of the surface stay cold</source>
-        <translation>Gewichte lassen sich nicht finden: Teile der Oberfläche bleiben kalt</translation>
-    </message>
-    <message>
-        <source>Weights cannot be found: the surface has no area</source>
-        <translation>Gewichte lassen sich nicht finden: die Oberfläche hat keine Fläche</translation>
     </message>
     <message>
         <source>a chunk of it ends early</source>
@@ -3673,32 +3652,12 @@
         <translation>Accessor %1 ersetzt, was nicht da ist</translation>
     </message>
     <message>
-        <source>an animation has no usable name or length</source>
-        <translation>eine Animation hat keinen brauchbaren Namen oder keine brauchbare Länge</translation>
-    </message>
-    <message>
-        <source>an animation moves a node that does not exist, or has no keys</source>
-        <translation>eine Animation bewegt einen Knoten, den es nicht gibt, oder hat keine Schlüsselbilder</translation>
-    </message>
-    <message>
         <source>an animation of it holds no usable keys</source>
         <translation>eine Animation darin enthält keine brauchbaren Schlüsselbilder</translation>
     </message>
     <message>
-        <source>animation keys</source>
-        <translation>Schlüsselbilder von Animationen</translation>
-    </message>
-    <message>
         <source>bone %1 has a weight that is negative or no number</source>
         <translation>Knochen %1 hat ein Gewicht, das negativ oder keine Zahl ist</translation>
-    </message>
-    <message>
-        <source>bone %1 has no node</source>
-        <translation>Knochen %1 hat keinen Knoten</translation>
-    </message>
-    <message>
-        <source>bone %1 is bound by a matrix without inverse</source>
-        <translation>Knochen %1 ist durch eine Matrix ohne Inverse gebunden</translation>
     </message>
     <message>
         <source>bone %1 is not in its tree</source>
@@ -3707,18 +3666,6 @@
     <message>
         <source>bone %1 weighs a vertex that does not exist</source>
         <translation>Knochen %1 gewichtet einen Eckpunkt, den es nicht gibt</translation>
-    </message>
-    <message>
-        <source>bones and their nodes do not match</source>
-        <translation>Knochen und ihre Knoten passen nicht zusammen</translation>
-    </message>
-    <message>
-        <source>bytes of texture</source>
-        <translation>Bytes einer Textur</translation>
-    </message>
-    <message>
-        <source>bytes of textures</source>
-        <translation>Bytes von Texturen</translation>
     </message>
     <message>
         <source>it cannot be read; the reader broke down over it</source>
@@ -3753,32 +3700,146 @@
         <translation>es ist glTF der Version %1, nicht 2</translation>
     </message>
     <message>
-        <source>its colour is none</source>
-        <translation>die Farbe ist keine</translation>
-    </message>
-    <message>
-        <source>its materials do not hold its triangles</source>
-        <translation>die Materialien enthalten nicht die Dreiecke</translation>
-    </message>
-    <message>
         <source>its nodes hang on each other in a circle</source>
         <translation>die Knoten hängen im Kreis aneinander</translation>
     </message>
     <message>
-        <source>its parts do not hold its triangles</source>
-        <translation>die Teile enthalten nicht die Dreiecke</translation>
+        <source>node %1 hangs on two others</source>
+        <translation>Knoten %1 hängt an zwei anderen</translation>
     </message>
     <message>
-        <source>its texture has another size than it says</source>
-        <translation>die Textur hat eine andere Größe, als sie angibt</translation>
+        <source>node %1 has a child that does not exist</source>
+        <translation>Knoten %1 hat einen untergeordneten Knoten, den es nicht gibt</translation>
     </message>
     <message>
-        <source>its texture is neither PNG nor JPEG</source>
-        <translation>die Textur ist weder PNG noch JPEG</translation>
+        <source>reading it takes more than %1 MB of memory</source>
+        <translation>das Lesen braucht mehr als %1 MB Speicher</translation>
     </message>
     <message>
-        <source>key %1 of the animation of %2 is no place or time</source>
-        <translation>Schlüsselbild %1 der Animation von %2 ist kein Ort oder keine Zeit</translation>
+        <source>reading it took longer than %1 s</source>
+        <translation>das Lesen dauerte länger als %1 s</translation>
+    </message>
+    <message>
+        <source>this is no mesh that can be read: it holds no glTF</source>
+        <translation>das ist kein lesbares Netz: es enthält kein glTF</translation>
+    </message>
+    <message>
+        <source>triangle %1 uses a vertex that does not exist</source>
+        <translation>Dreieck %1 verwendet einen Eckpunkt, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>vertex %1 holds something that is no number</source>
+        <translation>Eckpunkt %1 enthält etwas, das keine Zahl ist</translation>
+    </message>
+</context>
+<context>
+    <name>core/mesh/retarget</name>
+    <message>
+        <source>%1: its legs have no length</source>
+        <translation>%1: die Beine haben keine Länge</translation>
+    </message>
+    <message>
+        <source>%1: the performer's skeleton has no %2 for the bone %3</source>
+        <translation>%1: das Skelett des Darstellers hat kein %2 für den Knochen %3</translation>
+    </message>
+    <message>
+        <source>Choose other bones for thighs, shins and feet</source>
+        <translation>Andere Knochen für Oberschenkel, Unterschenkel und Füße wählen</translation>
+    </message>
+    <message>
+        <source>Use a skeleton with the canonical joints, or leave that bone out</source>
+        <translation>Ein Skelett mit den üblichen Gelenken verwenden oder diesen Knochen auslassen</translation>
+    </message>
+</context>
+<context>
+    <name>core/mesh/rig</name>
+    <message>
+        <source>%1: %2 has no place</source>
+        <translation>%1: %2 hat keinen Ort</translation>
+    </message>
+    <message>
+        <source>%1: a newer version of the program wrote this map of bones</source>
+        <translation>%1: eine neuere Version des Programms schrieb diese Knochenzuordnung</translation>
+    </message>
+    <message>
+        <source>%1: no part of its surface hangs on the bone %2 (%3%4) or below it</source>
+        <translation>%1: kein Teil der Oberfläche hängt am Knochen %2 (%3%4) oder darunter</translation>
+    </message>
+    <message>
+        <source>%1: these are no landmarks of a body; %2 is missing</source>
+        <translation>%1: das sind keine Orte der Gelenke eines Körpers; %2 fehlt</translation>
+    </message>
+    <message>
+        <source>%1: this is no map of bones</source>
+        <translation>%1: das ist keine Knochenzuordnung</translation>
+    </message>
+    <message>
+        <source>: no bones are found for %1</source>
+        <translation>: keine Knochen wurden gefunden für %1</translation>
+    </message>
+    <message>
+        <source>: no human skeleton is found in it</source>
+        <translation>: kein menschliches Skelett wurde darin gefunden</translation>
+    </message>
+    <message>
+        <source>Choose a file that was saved as a bone map</source>
+        <translation>Eine Datei wählen, die als Knochenzuordnung gesichert wurde</translation>
+    </message>
+    <message>
+        <source>Choose a file that was saved as landmarks</source>
+        <translation>Eine Datei wählen, in der Orte der Gelenke gesichert wurden</translation>
+    </message>
+    <message>
+        <source>Choose another bone for it</source>
+        <translation>Einen anderen Knochen dafür wählen</translation>
+    </message>
+    <message>
+        <source>Finding bones</source>
+        <translation>Knochen werden gesucht</translation>
+    </message>
+    <message>
+        <source>Fitting a skeleton</source>
+        <translation>Skelett wird eingepasst</translation>
+    </message>
+    <message>
+        <source>Give the skin weights, or say in a map of bones which bones move it</source>
+        <translation>Der Haut Gewichte geben oder in einer Knochenzuordnung angeben, welche Knochen sie bewegen</translation>
+    </message>
+    <message>
+        <source>Looking for each point's bone</source>
+        <translation>Zu jedem Punkt wird der Knochen gesucht</translation>
+    </message>
+    <message>
+        <source>Name its bones as HumanIK, Mixamo, VRM or Rigify do, or say which bone is which in a map of bones</source>
+        <translation>Die Knochen wie HumanIK, Mixamo, VRM oder Rigify benennen oder in einer Knochenzuordnung angeben, welcher Knochen welcher ist</translation>
+    </message>
+    <message>
+        <source>Open it with that version, or map the bones again</source>
+        <translation>Sie mit dieser Version öffnen oder die Knochen neu zuordnen</translation>
+    </message>
+    <message>
+        <source>Repair the mesh: it must be the closed surface of a body</source>
+        <translation>Das Netz reparieren: es muss die geschlossene Oberfläche eines Körpers sein</translation>
+    </message>
+    <message>
+        <source>Set all joints of the body</source>
+        <translation>Alle Gelenke des Körpers setzen</translation>
+    </message>
+    <message>
+        <source>Spreading heat</source>
+        <translation>Wärme wird verteilt</translation>
+    </message>
+    <message>
+        <source>Use a figure that stands upright with its arms away from its body, or set the joints by hand</source>
+        <translation>Eine Figur verwenden, die aufrecht steht und die Arme vom Körper weghält, oder die Gelenke von Hand setzen</translation>
+    </message>
+    <message>
+        <source>Weights cannot be found: parts of the surface stay cold</source>
+        <translation>Gewichte lassen sich nicht finden: Teile der Oberfläche bleiben kalt</translation>
+    </message>
+    <message>
+        <source>Weights cannot be found: the surface has no area</source>
+        <translation>Gewichte lassen sich nicht finden: die Oberfläche hat keine Fläche</translation>
     </message>
     <message>
         <source>no ankle was found</source>
@@ -3801,34 +3862,6 @@
         <translation>keine zwei Beine wurden gefunden</translation>
     </message>
     <message>
-        <source>node %1 hangs on two others</source>
-        <translation>Knoten %1 hängt an zwei anderen</translation>
-    </message>
-    <message>
-        <source>node %1 has a child that does not exist</source>
-        <translation>Knoten %1 hat einen untergeordneten Knoten, den es nicht gibt</translation>
-    </message>
-    <message>
-        <source>node %1 has a name of %2 bytes</source>
-        <translation>Knoten %1 hat einen Namen von %2 Bytes</translation>
-    </message>
-    <message>
-        <source>node %1 stands before its parent</source>
-        <translation>Knoten %1 steht vor seinem übergeordneten Knoten</translation>
-    </message>
-    <message>
-        <source>node %1 stands nowhere</source>
-        <translation>Knoten %1 steht nirgends</translation>
-    </message>
-    <message>
-        <source>reading it takes more than %1 MB of memory</source>
-        <translation>das Lesen braucht mehr als %1 MB Speicher</translation>
-    </message>
-    <message>
-        <source>reading it took longer than %1 s</source>
-        <translation>das Lesen dauerte länger als %1 s</translation>
-    </message>
-    <message>
         <source>the bone %1 is to be both %2 and %3</source>
         <translation>der Knochen %1 soll sowohl %2 als auch %3 sein</translation>
     </message>
@@ -3847,18 +3880,6 @@
     <message>
         <source>there is no joint %1</source>
         <translation>es gibt kein Gelenk %1</translation>
-    </message>
-    <message>
-        <source>this is no mesh that can be read: it holds no glTF</source>
-        <translation>das ist kein lesbares Netz: es enthält kein glTF</translation>
-    </message>
-    <message>
-        <source>triangle %1 uses a vertex that does not exist</source>
-        <translation>Dreieck %1 verwendet einen Eckpunkt, den es nicht gibt</translation>
-    </message>
-    <message>
-        <source>vertex %1 holds something that is no number</source>
-        <translation>Eckpunkt %1 enthält etwas, das keine Zahl ist</translation>
     </message>
 </context>
 <context>
@@ -4023,6 +4044,10 @@
     <message>
         <source>%1 times %2</source>
         <translation>%1 mal %2</translation>
+    </message>
+    <message>
+        <source>%1 was skipped and keeps what it had</source>
+        <translation>%1 wurde übersprungen und behält, was sie hatte</translation>
     </message>
     <message>
         <source>%1 wears several suits: only suit %2 is used yet.</source>
@@ -4625,6 +4650,10 @@
         <translation>In einer Aufnahme festgehalten; Zeiten sind die, zu denen Befehle entstanden und Zustände ankamen.</translation>
     </message>
     <message>
+        <source>Repeat its steps when it is to be calibrated</source>
+        <translation>Ihre Schritte wiederholen, wenn sie kalibriert werden soll</translation>
+    </message>
+    <message>
         <source>Robot %1, led by the %2</source>
         <translation>Roboter %1, geführt von %2</translation>
     </message>
@@ -4639,6 +4668,10 @@
     <message>
         <source>Run `noctule --batch process %1` first</source>
         <translation>Zuerst `noctule --batch process %1` ausführen</translation>
+    </message>
+    <message>
+        <source>Say where they sit when it is imported (--map), or look at single sensors with orient</source>
+        <translation>Beim Import sagen, wo sie sitzen (--map), oder einzelne Sensoren mit orient ansehen</translation>
     </message>
     <message>
         <source>Sensor %1 has neither readings nor attitudes and is left out.</source>
@@ -4761,12 +4794,16 @@
         <translation>In der Raumdatei fehlen %1: deren Plätze bleiben, wie sie waren.</translation>
     </message>
     <message>
+        <source>The take has %1; the poses are made without.</source>
+        <translation>In der Aufnahme: %1; die Haltungen entstehen ohne.</translation>
+    </message>
+    <message>
         <source>The take has more ranges between suits than are used for its clocks: their last rates are carried on to the end.</source>
         <translation>Die Aufnahme hat mehr Entfernungen zwischen Anzügen, als für ihre Uhren verwendet werden: deren letzte Raten werden bis zum Ende fortgeführt.</translation>
     </message>
     <message>
-        <source>The take names no actor: the default actor of 1.75 m is used.</source>
-        <translation>Die Aufnahme nennt keinen Darsteller: der Standarddarsteller von 1,75 m wird verwendet.</translation>
+        <source>The take names no actor: the default actor of 1.75 m is used and kept in it.</source>
+        <translation>Die Aufnahme nennt keinen Darsteller: der Standarddarsteller von 1,75 m wird verwendet und in ihr behalten.</translation>
     </message>
     <message>
         <source>The take was never closed: it is being recorded, or the recording was cut short.</source>
@@ -4795,6 +4832,10 @@
     <message>
         <source>Two people near each other</source>
         <translation>Zwei Personen nahe beieinander</translation>
+    </message>
+    <message>
+        <source>Use --estimator orientation, which takes attitudes and accelerations</source>
+        <translation>--estimator orientation verwenden, der Lagen und Beschleunigungen nimmt</translation>
     </message>
     <message>
         <source>Use --overwrite to replace it</source>
@@ -4885,6 +4926,10 @@
         <translation>sie hat %1 Zellen, nicht 8</translation>
     </message>
     <message>
+        <source>it has %1, so this estimator has too little to go by</source>
+        <translation>in ihr: %1; damit hat dieser Schätzer zu wenig in der Hand</translation>
+    </message>
+    <message>
         <source>it has no readings</source>
         <translation>sie hat keine Messwerte</translation>
     </message>
@@ -4941,12 +4986,24 @@
         <translation>nahe, mm</translation>
     </message>
     <message>
+        <source>no accelerometers</source>
+        <translation>keine Beschleunigungssensoren</translation>
+    </message>
+    <message>
         <source>no board has readings of gyroscope and accelerometer</source>
         <translation>keine Platine hat Messwerte von Gyroskop und Beschleunigungssensor</translation>
     </message>
     <message>
+        <source>no distances</source>
+        <translation>keine Abstände</translation>
+    </message>
+    <message>
         <source>no distances between its suits are known, since their clocks cannot be found from their sound</source>
         <translation>keine Abstände zwischen ihren Anzügen sind bekannt, da sich ihre Uhren aus ihrem Schall nicht finden lassen</translation>
+    </message>
+    <message>
+        <source>no gyroscopes</source>
+        <translation>keine Gyroskope</translation>
     </message>
     <message>
         <source>no instant of the run has a reference</source>
@@ -4967,6 +5024,10 @@
     <message>
         <source>none</source>
         <translation>keine</translation>
+    </message>
+    <message>
+        <source>none of its boards sits on a segment of the body</source>
+        <translation>keine ihrer Platinen sitzt auf einem Segment des Körpers</translation>
     </message>
     <message>
         <source>nothing tells where %1 stands: while the rest pose was held, too few ranges fit</source>
@@ -5296,6 +5357,10 @@
         <translation>Platz schaffen und erneut versuchen</translation>
     </message>
     <message>
+        <source>Give one to process, with --%1</source>
+        <translation>Bei process eines mit --%1 angeben</translation>
+    </message>
+    <message>
         <source>Install a newer Noctule</source>
         <translation>Ein neueres Noctule installieren</translation>
     </message>
@@ -5310,10 +5375,6 @@
     <message>
         <source>Name a derived run</source>
         <translation>Ein abgeleitetes Ergebnis nennen</translation>
-    </message>
-    <message>
-        <source>Name one with --%1</source>
-        <translation>Eines mit --%1 nennen</translation>
     </message>
     <message>
         <source>PRIMARY KEY(drive, sequence)</source>
@@ -7114,12 +7175,20 @@
         <translation>größter, mm</translation>
     </message>
     <message>
-        <source>zero, mg</source>
-        <translation>Nullpunkt, mg</translation>
-    </message>
-    <message>
         <source>zero, sigma, µT</source>
         <translation>Nullpunkt, Sigma, µT</translation>
+    </message>
+    <message>
+        <source>σ of slope, %</source>
+        <translation>σ der Steigung, %</translation>
+    </message>
+    <message>
+        <source>σ of zero, mg</source>
+        <translation>σ des Nullpunkts, mg</translation>
+    </message>
+    <message>
+        <source>σ of zero, °/s</source>
+        <translation>σ des Nullpunkts, °/s</translation>
     </message>
 </context>
 <context>

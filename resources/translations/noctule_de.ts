@@ -2643,6 +2643,14 @@
         <source>Survey</source>
         <translation>Vermessen</translation>
     </message>
+    <message>
+        <source>Known exactly</source>
+        <translation>Genau bekannt</translation>
+    </message>
+    <message>
+        <source>The virtual suit says by itself how it measures and how it sits on the body. Calibrating it is for practice only.</source>
+        <translation>Der virtuelle Anzug sagt selbst, wie er misst und wie er am Körper sitzt. Ihn zu kalibrieren dient nur der Übung.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::CalibrationShelf</name>
@@ -2694,6 +2702,17 @@
     <message>
         <source>Calibration: %1</source>
         <translation>Kalibrierung: %1</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::CaptureContext</name>
+    <message>
+        <source>A take is being recorded</source>
+        <translation>Es wird gerade aufgenommen</translation>
+    </message>
+    <message>
+        <source>Start the second virtual suit when it has ended</source>
+        <translation>Den zweiten virtuellen Anzug danach starten</translation>
     </message>
 </context>
 <context>
@@ -4250,6 +4269,10 @@
     <message>
         <source>This take has no result yet. Process it to see which board heard which source.</source>
         <translation>Dieser Take hat noch kein Ergebnis. Verarbeite ihn, um zu sehen, welche Platine welche Quelle gehört hat.</translation>
+    </message>
+    <message>
+        <source>This take is being processed.</source>
+        <translation>Diese Aufnahme wird gerade verarbeitet.</translation>
     </message>
 </context>
 <context>
@@ -7650,6 +7673,10 @@ Median; gut: unter %1</translation>
         <source>Half of the ranges used miss the pose by less. Root mean square, which a few echoes make large: %1.</source>
         <translation>Die Hälfte der verwendeten Entfernungen verfehlt die Pose um weniger. Quadratisches Mittel, das wenige Echos groß machen: %1.</translation>
     </message>
+    <message>
+        <source>The take is being processed. Its verdict will be here.</source>
+        <translation>Die Aufnahme wird gerade verarbeitet. Hier steht dann ihr Urteil.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::ReportView</name>
@@ -8258,6 +8285,10 @@ Median; gut: unter %1</translation>
     <message>
         <source>Process all unprocessed takes</source>
         <translation>Alle unverarbeiteten Takes verarbeiten</translation>
+    </message>
+    <message>
+        <source>The take is being processed.</source>
+        <translation>Die Aufnahme wird gerade verarbeitet.</translation>
     </message>
 </context>
 <context>
@@ -9567,6 +9598,10 @@ Median; gut: unter %1</translation>
         <source>Result %1</source>
         <translation>Ergebnis %1</translation>
     </message>
+    <message>
+        <source>This take is being processed. The body appears here when that is done.</source>
+        <translation>Diese Aufnahme wird gerade verarbeitet. Danach erscheint hier der Körper.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::SearchField</name>
@@ -9783,6 +9818,25 @@ Median; gut: unter %1</translation>
     <message>
         <source>Saving the session</source>
         <translation>Die Sitzung wird gesichert</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::SharedContext</name>
+    <message>
+        <source>The body could not be unpacked</source>
+        <translation>Der Körper konnte nicht entpackt werden</translation>
+    </message>
+    <message>
+        <source>Free some space on the disk; until then a skeleton is shown</source>
+        <translation>Platz auf der Platte schaffen; bis dahin erscheint ein Skelett</translation>
+    </message>
+    <message>
+        <source>Loading the body</source>
+        <translation>Der Körper wird geladen</translation>
+    </message>
+    <message>
+        <source>Picture of %1</source>
+        <translation>Bild von %1</translation>
     </message>
 </context>
 <context>
@@ -10372,32 +10426,8 @@ Drehen, beide Richtungen x3</translation>
         </translation>
     </message>
     <message>
-        <source>Picture of %1</source>
-        <translation>Bild von %1</translation>
-    </message>
-    <message>
-        <source>The body could not be unpacked</source>
-        <translation>Der Körper konnte nicht entpackt werden</translation>
-    </message>
-    <message>
-        <source>Free some space on the disk; until then a skeleton is shown</source>
-        <translation>Platz auf der Platte schaffen; bis dahin erscheint ein Skelett</translation>
-    </message>
-    <message>
-        <source>Loading the body</source>
-        <translation>Der Körper wird geladen</translation>
-    </message>
-    <message>
         <source>Importing %1</source>
         <translation>%1 wird importiert</translation>
-    </message>
-    <message>
-        <source>A take is being recorded</source>
-        <translation>Es wird gerade aufgenommen</translation>
-    </message>
-    <message>
-        <source>Start the second virtual suit when it has ended</source>
-        <translation>Den zweiten virtuellen Anzug danach starten</translation>
     </message>
 </context>
 <context>

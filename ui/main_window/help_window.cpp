@@ -4,6 +4,8 @@
 #include <QDesktopServices>
 #include <QHBoxLayout>
 #include <QTextBlock>
+#include <QTextList>
+#include <QTextTable>
 #include <QVBoxLayout>
 
 #include "ui/style/resources.h"
@@ -29,6 +31,32 @@ protected:
         return picture;
     }
 };
+
+/// What Markdown leaves open: room between paragraphs, lines around cells.
+void layOut(QTextDocument& document) {
+    const Theme& theme = Theme::get();
+    for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
+        QTextCursor cursor(block);
+        if (cursor.currentTable() || block.textList() || block.blockFormat().headingLevel() > 0)
+            continue;
+        QTextBlockFormat format;
+        format.setTopMargin(theme.px(4));
+        format.setBottomMargin(theme.px(8));
+        cursor.mergeBlockFormat(format);
+    }
+    for (QTextFrame* frame : document.rootFrame()->childFrames())
+        if (auto* table = qobject_cast<QTextTable*>(frame)) {
+            QTextTableFormat format = table->format();
+            format.setBorder(1);
+            format.setBorderCollapse(true);
+            format.setBorderBrush(theme.tokens().edge);
+            format.setCellPadding(theme.px(6));
+            format.setCellSpacing(0);
+            format.setTopMargin(theme.px(4));
+            format.setBottomMargin(theme.px(12));
+            table->setFormat(format);
+        }
+}
 
 }  // namespace
 
@@ -62,6 +90,7 @@ HelpWindow::HelpWindow(QWidget* parent)
             follow(QUrl(item->data(Qt::UserRole).toString() + ".md"));
     });
     connect(page_, &QTextBrowser::anchorClicked, this, &HelpWindow::follow);
+    connect(page_, &QTextBrowser::sourceChanged, this, [this] { layOut(*page_->document()); });
     auto* row = addRow(outer, 8);
     Button* back = makeButton(ButtonKind::kText, tr("Back"), "prev");
     row->addWidget(back);

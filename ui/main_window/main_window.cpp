@@ -65,6 +65,7 @@ MainWindow::MainWindow(Studio& studio, QWidget* parent)
     setDockOptions(AllowNestedDocks | (isAnimated() ? AnimatedDocks : DockOptions{}));
     buildParts();
     new UndoKeys(this);
+    connect(qApp, &QApplication::focusChanged, this, &MainWindow::keepFocusOnPage);
     connectActions();
     connectSteps();
     connectStudio();
@@ -200,6 +201,16 @@ void MainWindow::followScale() {
     const Theme& theme = Theme::get();
     const QSize room = placeWithin(freeRoom(*this), freeRoom(*this)).content.size();
     setMinimumSize(QSize(std::min(theme.px(960), 1280), std::min(theme.px(640), 760)).boundedTo(room));
+}
+
+/// Where a control goes that was just used, Qt gives the focus to the next one, possibly a step of the top
+/// bar; the next key would leave the page.
+void MainWindow::keepFocusOnPage(QWidget* before, QWidget* now) {
+    if (!now || !before || !top_bar_->isAncestorOf(now) || top_bar_->isAncestorOf(before) ||
+        !isAncestorOf(before) || (before->isVisible() && before->isEnabled()))
+        return;
+    if (const auto page = pages_.find(step_); page != pages_.end() && page->second->isVisible())
+        page->second->setFocus(Qt::OtherFocusReason);
 }
 
 void MainWindow::focusNextPanel(bool forward) {

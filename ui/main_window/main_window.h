@@ -84,6 +84,7 @@ private:
     void connectStudio();
     Page* makePage(Step step);
     void followScale();
+    void keepFocusOnPage(QWidget* before, QWidget* now);
     void showPageActions();
     void refreshTitle();
     void restoreGeometryKept();

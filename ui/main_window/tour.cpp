@@ -89,9 +89,9 @@ Tour::Tour(MainWindow& window, TopBar& bar) : QFrame(&window), window_(window), 
 }
 
 void Tour::start() {
-    show(0);
+    left_from_ = window_.step();
     QFrame::show();
-    next_->setFocus(Qt::TabFocusReason);
+    show(0);
 }
 
 void Tour::show(int card) {
@@ -106,6 +106,7 @@ void Tour::show(int card) {
     back_->setVisible(card > 0);
     next_->setText(card + 1 < kCards ? tr("Next") : tr("Done"));
     place();
+    next_->setFocus(Qt::TabFocusReason);  // the page that came has taken it
 }
 
 void Tour::place() {
@@ -123,16 +124,31 @@ void Tour::place() {
 }
 
 void Tour::end() {
-    window_.goTo(Step::kStart);
+    window_.goTo(left_from_);
     deleteLater();
     hide();
 }
 
 void Tour::keyPressEvent(QKeyEvent* event) {
+    const bool is_return = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    auto* button = qobject_cast<QPushButton*>(focusWidget());
     if (event->key() == Qt::Key_Escape)
         end();
+    else if (is_return && button)
+        button->click();
     else
         QFrame::keyPressEvent(event);
+}
+
+bool Tour::focusNextPrevChild(bool next) {
+    std::vector<QWidget*> buttons;
+    for (Button* button : {skip_, back_, next_})
+        if (button->isVisible())
+            buttons.push_back(button);
+    const auto at = std::ranges::find(buttons, focusWidget());
+    const auto count = std::ssize(buttons), index = at - buttons.begin();
+    buttons[static_cast<size_t>((index + (next ? 1 : count - 1)) % count)]->setFocus(Qt::TabFocusReason);
+    return true;
 }
 
 bool Tour::eventFilter(QObject* watched, QEvent* event) {

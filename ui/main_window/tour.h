@@ -6,6 +6,8 @@
 #include <QFrame>
 #include <QSettings>
 
+#include "ui/models/shared_context.h"
+
 namespace noctule::ui {
 
 class Button;
@@ -18,6 +20,7 @@ class Tour : public QFrame {
 public:
     Tour(MainWindow& window, TopBar& bar);
 
+    /// Leaving it, the window is back at the step it was at.
     void start();
     int card() const { return card_; }
 
@@ -27,6 +30,8 @@ public:
 protected:
     void paintEvent(QPaintEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    /// Tab stays on the card: what lies behind it is not for now.
+    bool focusNextPrevChild(bool next) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
@@ -37,6 +42,7 @@ private:
     MainWindow& window_;
     TopBar& bar_;
     int card_ = 0;
+    Step left_from_ = Step::kStart;
     int pointer_x_ = 0;
     Label *count_, *title_, *text_;
     Button *back_, *next_, *skip_;

@@ -172,7 +172,11 @@ QString CalibrationShelf::serial() const {
 }
 
 void CalibrationShelf::recall() {
-    remembered_ = memory_.latest(serial());
+    // What this session itself has found and does not use was taken back.
+    std::vector<Calibration> taken_back;
+    for (const ShelvedCalibration& shelved : all_)
+        taken_back.push_back(shelved.calibration);
+    remembered_ = memory_.latest(serial(), taken_back);
     if (!remembered_)
         return;
     const QDateTime made = ShelvedCalibration{{}, *remembered_}.made();

@@ -5,6 +5,7 @@
 #include <QPointer>
 
 #include "devices/device/device.h"
+#include "ui/language/core_words.h"
 #include "ui/models/live_steps.h"
 
 namespace noctule::ui {
@@ -14,10 +15,6 @@ constexpr int kLookEvery_ms = 16, kLooksPerStatus = 6;
 constexpr qint64 kTryAgain_ms = 2000;
 constexpr uint16_t kBlink_ms = 5000;
 constexpr int kLoneSource_ms = 4000;
-
-QString textOf(const std::string& text) {
-    return QString::fromStdString(text);
-}
 
 }  // namespace
 
@@ -41,9 +38,27 @@ LiveSuit::LiveSuit(Jobs& jobs, SessionModel& session, Surroundings surroundings,
 /// The one place that waits: the studio ends, and a take that is open ends with it, intact.
 LiveSuit::~LiveSuit() = default;
 
+std::span<const Transition<LiveSuit::Phase>> LiveSuit::transitions() {
+    using enum Phase;
+    static constexpr Transition<Phase> kTable[] = {
+        {kNone, kConnecting},                                                                     //
+        {kConnecting, kReady},   {kConnecting, kRefused}, {kConnecting, kNone},                   //
+        {kReady, kLooking},      {kReady, kStarting},     {kReady, kRefused},   {kReady, kNone},  //
+        {kLooking, kReady},      {kLooking, kStarting},   {kLooking, kRefused}, {kLooking, kNone},
+        {kLooking, kSaving},                                                   // evidence of a calibration
+        {kStarting, kRecording}, {kStarting, kSaving},    {kStarting, kNone},  //
+        {kStarting, kLooking},   {kStarting, kReady},                          // no take came to be
+        {kRecording, kSaving},                                                 //
+        {kSaving, kLooking},     {kSaving, kReady},       {kSaving, kNone},    //
+        {kRefused, kNone},
+    };
+    return kTable;
+}
+
 void LiveSuit::setPhase(Phase phase) {
     if (phase == phase_)
         return;
+    expectTransition(transitions(), phase_, phase, "suit");
     phase_ = phase;
     emit phaseChanged();
     emit statusChanged();
@@ -58,7 +73,7 @@ void LiveSuit::connectTo(const QString& address, const KnownWearing& known) {
     }
     auto device = makeDevice(address.toStdString());
     if (!device) {
-        emit failed(textOf(device.error().message), textOf(device.error().remedy));
+        emit failed(coreWords(device.error().message), coreWords(device.error().remedy));
         return;
     }
     address_ = address;

@@ -14,6 +14,7 @@
 #include "devices/live/live_group.h"
 #include "ui/jobs/jobs.h"
 #include "ui/models/session_model.h"
+#include "ui/models/transitions.h"
 #include "ui/models/wearing.h"
 
 namespace noctule::ui {
@@ -31,6 +32,7 @@ public:
         kSaving,   ///< stopped; the take becomes one file
         kRefused,  ///< for good; see status()->trouble
     };
+    static std::span<const Transition<Phase>> transitions();
     struct TakePlan {
         QString base_name;      ///< "walk": walk_001, walk_002, ...
         QString shot;           ///< of the shot list; empty: none

@@ -7,6 +7,7 @@
 #include "core/session/shot_list.h"
 #include "core/suit/calibration_lack.h"
 #include "devices/live/suit_voices.h"
+#include "ui/language/core_words.h"
 #include "ui/models/live_steps.h"
 #include "ui/models/live_suit.h"
 
@@ -131,7 +132,7 @@ void LiveSuit::begun(bool of_take, const std::optional<Error>& trouble) {
             return release();
         setPhase(phaseWithoutTake());
         if (tell && live_->status()->link != LinkState::kRefused)
-            emit failed(wordsOf(trouble->message), wordsOf(trouble->remedy));
+            emit failed(coreWords(trouble->message), coreWords(trouble->remedy));
         return;
     }
     told_ = false;
@@ -212,7 +213,7 @@ void LiveSuit::evidenceEnded(const StreamResult& result) {
     else
         setPhase(phaseWithoutTake());
     emit evidenceRecorded(result.recording ? wordsOf(result.recording->path) : QString(),
-                          trouble ? wordsOf(trouble->text()) : QString());
+                          trouble ? coreWords(*trouble) : QString());
 }
 
 QString LiveSuit::record(const TakePlan& plan) {
@@ -271,7 +272,7 @@ void LiveSuit::ended(const StreamResult& result) {
         session_.refresh(wordsOf(result.recording->path));
     }
     for (const std::string& warning : result.warnings)
-        emit warned(QStringLiteral("%1: %2").arg(take_name_, wordsOf(warning)));
+        emit warned(QStringLiteral("%1: %2").arg(take_name_, coreWords(warning)));
     if (result.lacks_poses)
         emit posesMissing(take_name_);
     const QString name = take_name_;
@@ -280,7 +281,7 @@ void LiveSuit::ended(const StreamResult& result) {
     else
         setPhase(phaseWithoutTake());
     since_trouble_.invalidate();
-    emit recordingEnded(name, trouble ? wordsOf(trouble->text()) : QString());
+    emit recordingEnded(name, trouble ? coreWords(*trouble) : QString());
 }
 
 void LiveSuit::lend() {

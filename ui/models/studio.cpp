@@ -119,7 +119,7 @@ Job* Studio::process(ProcessRequest request) {
     request.created_utc = parts().utc_now();
     const QString path = words(request.take_path);
     const QString take = QFileInfo(path).completeBaseName();
-    return jobs().start<ProcessSummary>(
+    Job* job = jobs().start<ProcessSummary>(
         tr("Processing %1").arg(take),
         [request = std::move(request), turns = processing_](const JobContext& job) -> Result<ProcessSummary> {
             std::unique_lock turn(*turns, std::defer_lock);
@@ -142,6 +142,8 @@ Job* Studio::process(ProcessRequest request) {
             emit said(result);
             return result;
         });
+    this->take().followProcessing(path, job);
+    return job;
 }
 
 void Studio::processInTurn(std::vector<ProcessRequest> requests) {

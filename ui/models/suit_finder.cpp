@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <set>
 
+#include "ui/language/core_words.h"
+
 namespace noctule::ui {
 namespace {
 
@@ -56,7 +58,7 @@ QString SuitFinder::probe(const QString& address) {
     if (!discovery_)
         start(options_);
     if (const Status asked = discovery_->probe(address.toStdString()); !asked)
-        return wordsOfDevice(asked.error().text());
+        return coreWords(asked.error());
     if (!probed_.contains(address))
         probed_.append(address);
     return {};

@@ -41,14 +41,19 @@ Status SuitMemory::keep(const QString& serial, const Calibration& calibration) c
     return writeFileAtomically(folder.filePath(name).toStdString(), toJson(parts).dump(2) + "\n", false);
 }
 
-std::optional<Calibration> SuitMemory::latest(const QString& serial) const {
+std::optional<Calibration> SuitMemory::latest(const QString& serial,
+                                              const std::vector<Calibration>& except) const {
+    std::vector<nlohmann::json> others;
+    for (const Calibration& calibration : except)
+        others.push_back(toJson(withoutWearing(calibration)));
     if (serial.isEmpty())
         return std::nullopt;
     const QDir folder(folderOf(serial));
     std::optional<Calibration> latest;
     for (const QString& file : folder.entryList({"*.json"}, QDir::Files, QDir::Name))
         if (auto calibration = readCalibrationFile(folder.filePath(file).toStdString()))
-            if (!latest || calibration->created_utc >= latest->created_utc)
+            if ((!latest || calibration->created_utc >= latest->created_utc) &&
+                std::ranges::find(others, toJson(*calibration)) == others.end())
                 latest = std::move(*calibration);
     return latest;
 }

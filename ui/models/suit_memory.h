@@ -6,6 +6,7 @@
 
 #include <QString>
 #include <optional>
+#include <vector>
 
 #include "core/job/result.h"
 #include "core/suit/calibration.h"
@@ -19,7 +20,9 @@ public:
     /// Calibrations without any calibrated sensor or source are not kept.
     Status keep(const QString& serial, const Calibration& calibration) const;
     /// The latest that can be read; absent: there is none.
-    std::optional<Calibration> latest(const QString& serial) const;
+    /// `except`: none with the values of one of these.
+    std::optional<Calibration> latest(const QString& serial,
+                                      const std::vector<Calibration>& except = {}) const;
 
 private:
     QString folderOf(const QString& serial) const;

@@ -195,6 +195,19 @@ void TakeDocument::setComparedRun(int index) {
     emit runsChanged();
 }
 
+void TakeDocument::followProcessing(const QString& path, Job* job) {
+    processing_[path] = job;
+    connect(job, &Job::ended, this, &TakeDocument::processingChanged);
+    emit processingChanged();
+}
+
+Job* TakeDocument::processing() const {
+    const auto found = processing_.find(path_);
+    return found != processing_.end() && found->second && found->second->state() == Job::State::kRunning
+               ? found->second
+               : nullptr;
+}
+
 bool TakeDocument::isLoading() const {
     bool loading = overview_job_ && overview_job_->state() == Job::State::kRunning;
     const auto look = [&](const auto& parts) {

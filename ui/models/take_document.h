@@ -88,6 +88,10 @@ public:
     const QString& problem() const { return problem_; }
     /// Whether anything is being read.
     bool isLoading() const;
+    /// The job that makes a result of the take at `path`; views of that take tell of it.
+    void followProcessing(const QString& path, Job* job);
+    /// Of this take, while it runs; else null.
+    Job* processing() const;
 
 public slots:
     void open(const QString& path);
@@ -99,6 +103,7 @@ public slots:
     void reload(bool show_newest);
 
 signals:
+    void processingChanged();
     void opened();  ///< overview is there, or the document was closed
     void failed(const QString& message);
     void runsChanged();    ///< list or choice
@@ -197,6 +202,7 @@ private:
     Jobs& jobs_;
     TimeCursor& time_;
     QString path_, problem_;
+    std::map<QString, QPointer<Job>> processing_;  ///< by path
     uint64_t ticket_ = 0, overview_ticket_ = 0;
     QPointer<Job> overview_job_;
     std::shared_ptr<const TakeOverview> overview_;

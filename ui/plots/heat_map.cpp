@@ -63,6 +63,7 @@ void HeatMap::connectStudio() {
     TakeDocument& take = review_.take();
     connect(&take, &TakeDocument::opened, this, &HeatMap::readTake);
     connect(&take, &TakeDocument::runsChanged, this, &HeatMap::readTake);
+    connect(&take, &TakeDocument::processingChanged, this, &HeatMap::tellPair);
     connect(&take, &TakeDocument::rangesChanged, this, &HeatMap::readTake);
     connect(&review_.time(), &TimeCursor::rangeChanged, this, [this] { repaint_.ask(); });
     connect(&review_.time(), &TimeCursor::timeChanged, this, [this] {
@@ -178,7 +179,9 @@ void HeatMap::tellPair() {
     }
     if (review_.take().shownRun() < 0) {
         pair_text_->setText(
-            tr("This take has no result yet. Process it to see which board heard which source."));
+            review_.take().processing()
+                ? tr("This take is being processed.")
+                : tr("This take has no result yet. Process it to see which board heard which source."));
         detail_text_->clear();
         return;
     }

@@ -53,7 +53,7 @@ SceneView::SceneView(ReviewContext& review, QWidget* parent, Step step)
     parts_->tools->setVisible(parts_->canvas);
     parts_->overlay->setVisible(parts_->canvas);
     connectTools();
-    followStudio();
+    followReview();
     updateMessage();
     qApp->installEventFilter(this);
 }
@@ -106,7 +106,7 @@ void SceneView::connectTools() {
     parts_->control->setCamera(camera, kept);
 }
 
-void SceneView::followStudio() {
+void SceneView::followReview() {
     TakeDocument& take = review_.take();
     const auto renew = [this] {
         updateMessage();
@@ -114,6 +114,7 @@ void SceneView::followStudio() {
     };
     connect(&take, &TakeDocument::opened, this, renew);
     connect(&take, &TakeDocument::runsChanged, this, renew);
+    connect(&take, &TakeDocument::processingChanged, this, renew);
     connect(&take, &TakeDocument::motionChanged, this, renew);
     connect(&take, &TakeDocument::rangesChanged, this, renew);
     connect(&review_.time(), &TimeCursor::timeChanged, this, [this] {

@@ -93,7 +93,7 @@ private:
 
     void makeCanvas();
     void connectTools();
-    void followStudio();
+    void followReview();
     void showMessage(const QString& sentence);
     void updateMessage();
     void layOut();

@@ -123,6 +123,8 @@ QString whyEmpty(ReviewContext& review) {
     TakeDocument& take = review.take();
     if (!take.isOpen())
         return SceneWords::tr("The body of the take that you open appears here.");
+    if (take.shownRun() == -1 && take.processing())
+        return SceneWords::tr("This take is being processed. The body appears here when that is done.");
     if (take.shownRun() == -1)
         return SceneWords::tr("This take has no motion yet. Process it, and the body appears here.");
     if (!take.shownMotion())

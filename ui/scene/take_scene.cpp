@@ -17,6 +17,7 @@ constexpr std::array kTrailJoints{"LeftHand", "RightHand", "LeftFoot", "RightFoo
 constexpr float kContactRadius_m = 0.09F;
 
 constexpr double kTagOverHead_m = 0.32;
+constexpr int64_t kHeldAtEnds_ns = 500'000'000;
 
 /// Over the head, or over the highest joint of a body without one.
 Vector3d overHead(const Skeleton& skeleton, const BodyPlaces& places) {
@@ -74,7 +75,13 @@ void TakeScene::Track::follow(std::shared_ptr<const TimedMotion> of,
 }
 
 std::optional<Pose> TakeScene::Track::at(double t_s) const {
-    return motion ? poseAt(*motion, nanoseconds(t_s), max_gap_ns) : std::nullopt;
+    if (!motion || motion->frames.empty())
+        return std::nullopt;
+    // Poses end with the last frame that all boards sent, a moment before the take: the body stays until
+    // then.
+    const int64_t t_ns = nanoseconds(t_s);
+    const int64_t within_ns = std::clamp(t_ns, motion->frames.front().time_ns, motion->frames.back().time_ns);
+    return poseAt(*motion, std::abs(t_ns - within_ns) <= kHeldAtEnds_ns ? within_ns : t_ns, max_gap_ns);
 }
 
 void TakeScene::addPairs(ComposedScene& composed, double t_s) {

@@ -274,7 +274,8 @@ void CalibratePage::refresh() {
     const std::optional<Calibration> in_force = studio_.calibrations().inForce();
     const Suit& suit = studio_.suit().suit();
     const QDateTime now = QDateTime::currentDateTime();
-    next_ = nextTask(in_force, suit, now);
+    const bool is_exact = studio_.suit().isKnownExactly();
+    next_ = is_exact ? std::nullopt : nextTask(in_force, suit, now);
     const bool has_field = std::ranges::any_of(suit.boards, &Board::has_magnetometer);
     cards_.at(WizardTask::kMagnetometers)->setVisible(has_field);
     room_card_->setVisible(RoomRun::hasRoom(studio_));
@@ -293,7 +294,10 @@ void CalibratePage::refresh() {
             card->button()->setDisabledBecause(in_force ? cannot : tr("There is no calibration to check."));
         } else {
             const TaskState state = stateOf(task, in_force, suit, now);
-            card->setState(state.tone(), state.words());
+            if (is_exact)
+                card->setState(Tone::kOk, tr("Known exactly"));
+            else
+                card->setState(state.tone(), state.words());
         }
         card->setButton(task == WizardTask::kCheck ? tr("Check") : tr("Begin"), next_ == task);
     }
@@ -302,6 +306,11 @@ void CalibratePage::refresh() {
             Tone::kWarn, tr("Not calibrated"),
             tr("Nothing moves live and nothing can be processed before the suit is calibrated. "
                "Begin with the source offsets, or import its calibration at the left."));
+    else if (is_exact)
+        verdict_->setVerdict(
+            Tone::kOk, tr("Known exactly"),
+            tr("The virtual suit says by itself how it measures and how it sits on the body. "
+               "Calibrating it is for practice only."));
     else if (next_)
         verdict_->setVerdict(Tone::kWarn, tr("Next: %1").arg(wordsOf(*next_).title),
                              tr("The other values stay in use; their cards say how good they are."));

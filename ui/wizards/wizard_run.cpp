@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "core/guide/movement_guide.h"
-#include "core/suit/calibration_entries.h"
 #include "devices/live/live_session.h"
 #include "ui/language/core_words.h"
 #include "ui/wizards/field_words.h"
@@ -56,7 +55,21 @@ WizardRun::~WizardRun() {
         keepReadings();
 }
 
+std::span<const Transition<WizardRun::Phase>> WizardRun::transitions() {
+    using enum Phase;
+    static constexpr Transition<Phase> kTable[] = {
+        {kIntro, kGuiding},  {kIntro, kSolving},                        // takes that are there
+        {kGuiding, kTaking}, {kGuiding, kSolving}, {kGuiding, kIntro},  //
+        {kTaking, kGuiding}, {kTaking, kIntro},                         //
+        {kSolving, kResult}, {kSolving, kGuiding}, {kSolving, kIntro},  //
+        {kResult, kGuiding}, {kResult, kIntro},
+    };
+    return kTable;
+}
+
 void WizardRun::setPhase(Phase phase) {
+    if (phase != phase_)
+        expectTransition(transitions(), phase_, phase, "calibration");
     phase_ = phase;
     emit changed();
 }
@@ -141,6 +154,7 @@ void WizardRun::leaveSuit() {
         return emit changed();
     if (job_)
         job_->cancel();
+    ++solving_;
     guide_.reset();
     result_.reset();
     forget();
@@ -351,6 +365,9 @@ void WizardRun::solve(const std::vector<std::string>& paths) {
     if (from_evidence_ && capture_.suit().phase() != LiveSuit::Phase::kNone)
         request.actor = capture_.suit().actor();
     request.created_utc = capture_.shared().parts().utc_now();
+    for (int board = 0; guide_ && from_evidence_ && board < static_cast<int>(suit_.boards.size()); ++board)
+        if (guide_->isSkipped(board))
+            request.left_out.push_back(suit_.boards[static_cast<size_t>(board)].id);
     saved_file_.clear();
     KnownDistances known = known_;
     std::erase_if(known.distances, [this](const KnownDistance& distance) {
@@ -362,8 +379,9 @@ void WizardRun::solve(const std::vector<std::string>& paths) {
         [task = task_, request, known](const JobContext& job) {
             return solveTask(task, request, known, job);
         },
-        [self = QPointer(this)](Result<CalibrationResult> result) -> QString {
-            if (self)
+        [self = QPointer(this), solving = ++solving_](Result<CalibrationResult> result) -> QString {
+            // Of a suit that was left meanwhile nothing is shown.
+            if (self && self->solving_ == solving)
                 self->solved(std::move(result));
             return {};
         },
@@ -376,7 +394,6 @@ void WizardRun::solved(Result<CalibrationResult> result) {
     trouble_.clear();
     if (result) {
         result_ = std::move(*result);
-        keepValuesOfSkipped(*result_);
         const bool is_judged = result_->grade() != Grade::kUnknown;
         if (task_ == WizardTask::kCheck && from_evidence_ && guide_ && is_judged)
             capture_.setChecked(CheckedSuit{QDateTime::currentDateTime(), result_->grade() == Grade::kGood});
@@ -385,18 +402,6 @@ void WizardRun::solved(Result<CalibrationResult> result) {
     if (result.error().kind != ErrorKind::kCancelled)
         trouble_ = coreWords(result.error());
     setPhase(guide_ ? Phase::kGuiding : Phase::kIntro);
-}
-
-/// A board that was skipped may have been heard all the same: its values stay what they were.
-void WizardRun::keepValuesOfSkipped(CalibrationResult& result) const {
-    if (!guide_ || !from_evidence_)
-        return;
-    Calibration before = base().value_or(nominalCalibration(suit_));
-    for (int board = 0; board < static_cast<int>(suit_.boards.size()); ++board)
-        if (guide_->isSkipped(board)) {
-            const Board& skipped = suit_.boards[static_cast<size_t>(board)];
-            entryOf(result.calibration, skipped) = entryOf(before, skipped);
-        }
 }
 
 QString WizardRun::save() {

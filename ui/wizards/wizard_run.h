@@ -15,6 +15,7 @@
 #include "core/guide/field_guide.h"
 #include "core/processing/field_take.h"
 #include "ui/models/capture_context.h"
+#include "ui/models/transitions.h"
 #include "ui/wizards/task_work.h"
 #include "ui/wizards/unfinished_calibration.h"
 #include "ui/wizards/wizard_task.h"
@@ -31,6 +32,7 @@ public:
         kSolving,
         kResult,
     };
+    static std::span<const Transition<Phase>> transitions();
 
     WizardRun(CaptureContext& capture, WizardTask task, QObject* parent = nullptr);
     ~WizardRun() override;
@@ -132,7 +134,6 @@ private:
     void keepReadingsBesides();
     void noteReadings();
     void dropReadings();
-    void keepValuesOfSkipped(CalibrationResult& result) const;
     void solved(Result<CalibrationResult> result);
     void store() const;
     void restore();
@@ -156,6 +157,7 @@ private:
     std::optional<CalibrationResult> result_;
     QString trouble_;
     QPointer<Job> job_;
+    int solving_ = 0;  ///< what jobs of an earlier one bring is void
     QString saved_file_;
     bool paused_ = false;
     bool from_evidence_ = false;  ///< the result, or else from takes that were recorded elsewhere

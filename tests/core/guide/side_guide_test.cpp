@@ -36,6 +36,22 @@ TEST_F(SideGuideTest, KnowsAllSidesOfBoardsThatWereNeverCalibrated) {
     EXPECT_TRUE(guide_.isFinished());
 }
 
+/// A zero of 1.5 g is within what chips may have: once a side was taken the opposite one tells it.
+TEST_F(SideGuideTest, TakesABoardWithALargeZeroAndNamesOneThatLiesElsewhere) {
+    const Vector3d zero(15, -15, 0);
+    const auto lay = [&](BoardSide side, BoardSide of_board) {
+        rig_.lay(side);
+        rig_.set(9, Vector3d(kStandardGravity_m_per_s2 * of_board.up() + zero), Vector3d::Zero());
+        return guide_.look(rig_.after(0.1)).boards[9];
+    };
+    for (const BoardSide side : {BoardSide{0, +1}, BoardSide{0, -1}, BoardSide{1, -1}, BoardSide{1, +1}}) {
+        EXPECT_EQ(lay(side, side), GuidedBoard::kRight) << side.name();
+        EXPECT_EQ(guide_.look(rig_.after(0.1)).right_boards, 18) << side.name();
+        guide_.take();
+    }
+    EXPECT_EQ(lay({2, +1}, {0, +1}), GuidedBoard::kElsewhere);
+}
+
 TEST_F(SideGuideTest, CountsHowLongASideHasBeenRightWithoutABreak) {
     guide_.look(rig_.after(0.1));
     EXPECT_NEAR(guide_.look(rig_.after(2.5)).held_s, 2.5, 1e-6);

@@ -22,15 +22,17 @@ TEST(JointsCsv, HasARowPerJointAndRunAndQuotesNames) {
     run.comparison->joints = {elbow, elbow};
     data.runs = {run, ReportRun{}};
 
-    std::istringstream csv(jointsCsv(data));
+    std::istringstream csv(jointsCsv({{"Anna", data}, {"Ben", data}}));
     std::string header, row;
     std::getline(csv, header);
     std::getline(csv, row);
-    EXPECT_EQ(std::ranges::count(header, ','), 15);
-    EXPECT_EQ(
-        row,
-        "\"walk, \"\"fast\"\"\",AG,AG,manifold,none,LeftForeArm,LeftArm,1.25,0.0,0.0,0.0,,0.0,0.0,12.5,");
+    EXPECT_EQ(std::ranges::count(header, ','), 16);
+    EXPECT_EQ(row,
+              "\"walk, "
+              "\"\"fast\"\"\",Anna,AG,AG,manifold,none,LeftForeArm,LeftArm,1.25,0.0,0.0,0.0,,0.0,0.0,12.5,");
     EXPECT_TRUE(std::getline(csv, row)) << "the second joint";
+    EXPECT_TRUE(std::getline(csv, row) && row.find(",Ben,") != std::string::npos) << row;
+    EXPECT_TRUE(std::getline(csv, row));
     EXPECT_FALSE(std::getline(csv, row)) << "a run that was not compared has none";
 }
 

@@ -14,6 +14,7 @@
 #include "ui/main_window/side_docks.h"
 #include "ui/main_window/status_line.h"
 #include "ui/main_window/top_bar.h"
+#include "ui/main_window/tour.h"
 #include "ui/style/theme.h"
 #include "ui/views/connect/body_map.h"
 #include "ui/views/connect/connect_page.h"
@@ -191,6 +192,41 @@ TEST_F(MainWindowTest, F6WalksThePanels) {
     EXPECT_FALSE(std::count(visited.begin(), visited.end(), nullptr));
     press(Qt::Key_F6, Qt::ShiftModifier);
     EXPECT_EQ(panelOfFocus(), visited[3]);
+}
+
+TEST_F(MainWindowTest, WhereAButtonGoesThatWasPressedTheFocusStaysOnThePage) {
+    press(Qt::Key_3, Qt::ControlModifier);
+    Page& record = window_->page(Step::kRecord);
+    QPushButton button("Process", &record);  // the last of the window: the next one is the first
+    button.show();
+    window_->activateWindow();
+    button.setFocus();
+    ASSERT_EQ(window_->focusWidget(), &button);
+    button.hide();
+    EXPECT_EQ(window_->focusWidget(), &record);
+}
+
+TEST_F(MainWindowTest, TheTourIsWalkedByKeysAndLeadsBack) {
+    press(Qt::Key_5, Qt::ControlModifier);
+    window_->activateWindow();
+    window_->showTour();
+    auto* tour = window_->findChild<Tour*>();
+    ASSERT_NE(tour, nullptr);
+    const auto key = [&](Qt::Key which) {
+        QTest::keyClick(window_->focusWidget(), which);
+        QCoreApplication::processEvents();
+    };
+    key(Qt::Key_Return);
+    key(Qt::Key_Space);
+    EXPECT_EQ(tour->card(), 2);
+    EXPECT_EQ(window_->step(), Step::kRecord);
+    for (int tab = 0; tab < 4; ++tab) {
+        key(Qt::Key_Tab);
+        EXPECT_TRUE(tour->isAncestorOf(window_->focusWidget())) << tab;
+    }
+    key(Qt::Key_Escape);
+    EXPECT_FALSE(tour->isVisible());
+    EXPECT_EQ(window_->step(), Step::kExport) << "where it was begun";
 }
 
 TEST_F(MainWindowTest, LayoutsAreKeptPerStepAndSurviveARestart) {

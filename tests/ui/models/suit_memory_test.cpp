@@ -117,6 +117,22 @@ TEST_F(SuitMemoryTest, ANewSessionKnowsTheSuitAndNotTheRestPose) {
     EXPECT_FALSE(studio_->calibrations().remembered());
 }
 
+TEST_F(SuitMemoryTest, WhatWasUndoneDoesNotComeBackFromTheMemory) {
+    TestBox box({.loops = true});
+    openSession("first");
+    ASSERT_EQ(studio_->calibrations().importFile(fileOf(calibratedOn("2026-01-01T10:00:00Z"))), "");
+    openSession("second");
+    ASSERT_TRUE(connectTo(box));
+    EXPECT_TRUE(lack().isTotal()) << "nothing was connected when the first was imported";
+    ASSERT_EQ(studio_->calibrations().importFile(fileOf(calibratedOn("2026-02-01T10:00:00Z"))), "");
+    EXPECT_TRUE(lack().isNone());
+    studio_->session().undoStack().undo();
+    EXPECT_TRUE(lack().isTotal());
+    EXPECT_FALSE(studio_->calibrations().remembered());
+    studio_->session().undoStack().redo();
+    EXPECT_TRUE(lack().isNone());
+}
+
 TEST_F(SuitMemoryTest, NewerValuesOfAnotherSessionAreOfferedNotForced) {
     TestBox box({.loops = true});
     openSession("first");

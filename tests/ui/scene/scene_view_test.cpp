@@ -49,6 +49,16 @@ TEST_F(SceneViewTest, FollowsTheTimeCursor) {
     EXPECT_TRUE(view_->descriptionInWords().startsWith("Body at 0:01.6"));
 }
 
+TEST_F(SceneViewTest, TheBodyStaysToTheEndOfTheTake) {
+    openTake();
+    const double last_s = 1e-9 * static_cast<double>(studio_->take().shownMotion()->frames.back().time_ns);
+    ASSERT_LT(last_s, studio_->time().duration()) << "poses end a moment before the take";
+    studio_->time().setTime(studio_->time().duration());
+    settle();
+    EXPECT_TRUE(view_->descriptionInWords().startsWith("Body at"))
+        << view_->descriptionInWords().toStdString();
+}
+
 TEST_F(SceneViewTest, KeysSwitchViews) {
     openTake();
     QSignalSpy changed(view_.get(), &SceneView::viewChanged);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs the tests of the studio's rooms: one application, a settings folder of its own, C numbers. A test in
-// which an icon was missing fails.
+// which an icon was missing fails, and one in which a phase followed another that does not lead to it.
 #include <gtest/gtest.h>
 
 #include <QApplication>
@@ -13,8 +13,8 @@ namespace {
 
 QtMessageHandler usual_handler = nullptr;
 
-void failOnMissingIcons(QtMsgType type, const QMessageLogContext& context, const QString& message) {
-    if (qstrcmp(context.category, "noctule.icons") == 0)
+void failOnOwnFaults(QtMsgType type, const QMessageLogContext& context, const QString& message) {
+    if (qstrcmp(context.category, "noctule.icons") == 0 || qstrcmp(context.category, "noctule.phases") == 0)
         ADD_FAILURE() << message.toStdString();
     else
         usual_handler(type, context, message);
@@ -30,7 +30,7 @@ int main(int argc, char** argv) {
     qputenv("HOME", home.path().toLocal8Bit());
     QStandardPaths::setTestModeEnabled(true);
     QApplication application(argc, argv);
-    usual_handler = qInstallMessageHandler(failOnMissingIcons);
+    usual_handler = qInstallMessageHandler(failOnOwnFaults);
     std::setlocale(LC_NUMERIC, "C");
     QApplication::setOrganizationName("Noctule");
     QApplication::setApplicationName("noctule-test");

@@ -193,10 +193,10 @@ TEST_F(ConnectPageTest, ACalibratedSuitIsReadyOnceItIsChecked) {
     ASSERT_TRUE(action("Check the suit"));
     QTest::mouseClick(action("Check the suit"), Qt::LeftButton);
     EXPECT_EQ(checks.count(), 1);
-    studio_->setChecked(Studio::CheckedSuit{QDateTime::currentDateTime(), false});
+    studio_->setChecked(CheckedSuit{QDateTime::currentDateTime(), false});
     EXPECT_TRUE(problems().contains("Something has moved since the calibration"));
     EXPECT_EQ(verdict(), "Connected");
-    studio_->setChecked(Studio::CheckedSuit{QDateTime::currentDateTime(), true});
+    studio_->setChecked(CheckedSuit{QDateTime::currentDateTime(), true});
     EXPECT_TRUE(waitFor([&] { return verdict() == "Ready"; }));
 }
 

@@ -60,6 +60,8 @@ RecordRun::RecordRun(CaptureContext& capture, QObject* parent)
     });
     connect(&capture.shared().session(), &SessionModel::changed, this, &RecordRun::followSession);
     chooseDueShot();
+    obstacle_ = obstacleNow();
+    state_ = stateNow();  // a take may run already
     follow();
 }
 
@@ -106,6 +108,24 @@ RecordObstacle RecordRun::obstacleOf(const SuitInUse& worn) {
     return {};
 }
 
+std::span<const Transition<RecordRun::State>> RecordRun::transitions() {
+    using enum State;
+    static constexpr Transition<State> kTable[] = {
+        {kNoSuit, kReady},        {kNoSuit, kRefused},                            //
+        {kReady, kNoSuit},        {kReady, kRefused},                             //
+        {kReady, kCountdown},     {kReady, kRecording},                           // without a countdown
+        {kRefused, kNoSuit},      {kRefused, kReady},                             //
+        {kRefused, kCountdown},   {kRefused, kRecording},                         // all the same
+        {kCountdown, kReady},     {kCountdown, kRefused}, {kCountdown, kNoSuit},  //
+        {kCountdown, kRecording},                                                 //
+        {kRecording, kSaving},    {kRecording, kNoSuit},                          //
+        {kRecording, kReady},     {kRecording, kRefused},                         // no take came to be
+        {kReady, kSaving},        {kRefused, kSaving},                            // evidence of a calibration
+        {kSaving, kReady},        {kSaving, kRefused},    {kSaving, kNoSuit},
+    };
+    return kTable;
+}
+
 RecordRun::State RecordRun::stateNow() const {
     switch (capture_.suits().phase()) {
         case LiveSuit::Phase::kNone:
@@ -132,13 +152,16 @@ void RecordRun::follow() {
     if (cannot || capture_.suits().phase() == LiveSuit::Phase::kNone)
         counting_.invalidate();
     const State now = stateNow();
+    const bool ticks = now == State::kCountdown || now == State::kRecording;
+    if (ticks && !tick_.isActive())
+        tick_.start();
+    else if (!ticks)
+        tick_.stop();
     if (now == state_ && same)
         return;
+    if (now != state_)
+        expectTransition(transitions(), state_, now, "recording");
     state_ = now;
-    if (now == State::kCountdown || now == State::kRecording)
-        tick_.start();
-    else
-        tick_.stop();
     emit changed();
 }
 

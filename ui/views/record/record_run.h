@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "ui/models/capture_context.h"
+#include "ui/models/transitions.h"
 
 namespace noctule::ui {
 
@@ -31,6 +32,7 @@ class RecordRun : public QObject {
     Q_OBJECT
 public:
     enum class State { kNoSuit, kReady, kRefused, kCountdown, kRecording, kSaving };
+    static std::span<const Transition<State>> transitions();
 
     explicit RecordRun(CaptureContext& capture, QObject* parent = nullptr);
 

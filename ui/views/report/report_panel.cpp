@@ -79,6 +79,7 @@ ReportPanel::ReportPanel(ReviewContext& review, QWidget* parent)
     for (const auto signal :
          {&TakeDocument::opened, &TakeDocument::runsChanged, &TakeDocument::reportChanged})
         connect(&review.take(), signal, this, &ReportPanel::refresh);
+    connect(&review.take(), &TakeDocument::processingChanged, this, &ReportPanel::refresh);
     connect(&review.take(), &TakeDocument::motionChanged, this, &ReportPanel::showFeet);
     refresh();
 }
@@ -113,10 +114,12 @@ void ReportPanel::refresh() {
     export_->setDisabledBecause(has_run ? QString() : no_report);
     if (!overview)
         empty_->setSentence(tr("The report of the open take will be here."));
+    else if (take.processing())
+        empty_->setSentence(tr("The take is being processed. Its verdict will be here."));
     else if (!has_run)
         empty_->setSentence(tr("The take is recorded but not processed yet. Its verdict will be here."));
     if (empty_->button())
-        empty_->button()->setVisible(overview != nullptr);
+        empty_->button()->setVisible(overview && !take.processing());
     if (verdict)
         showVerdict(*verdict);
     else if (has_run && !take.problem().isEmpty())

@@ -51,6 +51,7 @@ ReviewSidebar::ReviewSidebar(Studio& studio, FullReport& report, QWidget* parent
     column->addWidget(new ScrollArea(of_take_), 1);
     connect(takes_, &TakeList::notesWanted, notes_, &NotesPanel::edit);
     connect(&studio.take(), &TakeDocument::opened, this, &ReviewSidebar::refresh);
+    connect(&studio.take(), &TakeDocument::processingChanged, this, &ReviewSidebar::refresh);
     refresh();
 }
 
@@ -138,6 +139,10 @@ void ReviewSidebar::refresh() {
     const bool has_runs = overview && !overview->runs.empty();
     results_->setTitle(tr("Results of %1").arg(openTakeName(studio_)));
     reprocess_->setText(has_runs ? tr("Reprocess") : tr("Process"));
+    Job* job = studio_.take().processing();
+    reprocess_->setDisabledBecause(job && !has_runs ? tr("The take is being processed.") : QString());
+    if (job && !progress_->isRunning())
+        progress_->follow(job);
 }
 
 }  // namespace noctule::ui
