@@ -147,6 +147,7 @@ Result<std::vector<ReportBoard>> boardQuality(const Take& take, const Suit& suit
         return readings.error();
     int64_t frames = 0;
     std::vector<int64_t> rows(boards.size());
+    bool has_gyroscopes = false, has_accelerometers = false;  // of other makers' sensors one may lack
     while (true) {
         const auto reading = readings->next();
         if (!reading)
@@ -156,11 +157,14 @@ Result<std::vector<ReportBoard>> boardQuality(const Take& take, const Suit& suit
         const auto board = static_cast<size_t>((*reading)->board);
         frames = std::max({frames, (*reading)->frame + 1, ++rows[board]});
         count(**reading, boards[board]);
+        has_gyroscopes = has_gyroscopes || (*reading)->counts[0];
+        has_accelerometers = has_accelerometers || (*reading)->counts[3];
     }
+    const int axes = (has_gyroscopes ? 3 : 0) + (has_accelerometers ? 3 : 0);
     for (size_t b = 0; b < boards.size(); ++b) {
         boards[b].frames_expected = frames;
         boards[b].frames_lost += frames - rows[b];
-        boards[b].readings_expected = 6 * std::max<int64_t>(0, frames - kJoiningFrames);
+        boards[b].readings_expected = axes * std::max<int64_t>(0, frames - kJoiningFrames);
     }
     return boards;
 }

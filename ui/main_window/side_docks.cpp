@@ -3,7 +3,10 @@
 
 #include <QAction>
 #include <QStackedWidget>
+#include <QTimer>
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "ui/style/theme.h"
 #include "ui/views/page.h"
@@ -15,6 +18,7 @@ namespace noctule::ui {
 namespace {
 
 constexpr int kLayoutVersion = 1;
+constexpr const char *kScaleKey = "_scale", *kGaveRoomKey = "_gave_room";
 constexpr int kLeftWidth = 248, kLeftNarrow = 216, kLeftWidest = 360;
 constexpr int kRightWidth = 295, kRightNarrow = 264, kRightWidest = 400;
 constexpr int kNarrowWindow = 1400, kLeastForBothDocks = 1100;
@@ -49,8 +53,25 @@ SideDocks::SideDocks(QMainWindow& window, QSettings& settings)
       window_(window),
       settings_(settings),
       left_(makeSide(Qt::LeftDockWidgetArea, "left", tr("Left panel"))),
-      right_(makeSide(Qt::RightDockWidgetArea, "right", tr("Right panel"))) {
-    connect(&Theme::get(), &Theme::changed, this, &SideDocks::makeRoom);
+      right_(makeSide(Qt::RightDockWidgetArea, "right", tr("Right panel"))),
+      scale_(Theme::get().scale()) {
+    connect(&Theme::get(), &Theme::changed, this, [this] {
+        resizeBoth(Theme::get().scale() / std::exchange(scale_, Theme::get().scale()));
+        makeRoom();
+    });
+    connect(left_.action, &QAction::triggered, this, [this] {
+        gave_room_ = false;
+        preferTo(right_);
+    });
+    connect(right_.action, &QAction::triggered, this, [this] { preferTo(left_); });
+    window.installEventFilter(this);
+}
+
+bool SideDocks::eventFilter(QObject* watched, QEvent* event) {
+    // After the window has laid itself out.
+    if (watched == &window_ && event->type() == QEvent::Resize)
+        QTimer::singleShot(0, this, &SideDocks::makeRoom);
+    return QObject::eventFilter(watched, event);
 }
 
 SideDocks::Side SideDocks::makeSide(Qt::DockWidgetArea area, const QString& name, const QString& words) {
@@ -84,8 +105,11 @@ QString SideDocks::key() const {
 }
 
 void SideDocks::keep() {
-    if (page_)
-        settings_.setValue(key(), window_.saveState(kLayoutVersion));
+    if (!page_)
+        return;
+    settings_.setValue(key(), window_.saveState(kLayoutVersion));
+    settings_.setValue(key() + kScaleKey, scale_);
+    settings_.setValue(key() + kGaveRoomKey, gave_room_);
 }
 
 void SideDocks::show(Step step, Page& page) {
@@ -127,10 +151,14 @@ void SideDocks::restore() {
     // A layout cannot open what the page does not have.
     left_.dock->setVisible(!left_.dock->isHidden() && page_->leftDock());
     right_.dock->setVisible(!right_.dock->isHidden() && page_->rightDock());
+    gave_room_ = settings_.value(key() + kGaveRoomKey, false).toBool();
+    resizeBoth(scale_ / settings_.value(key() + kScaleKey, scale_).toDouble());
+    makeRoom();
 }
 
 void SideDocks::reset() {
-    settings_.remove(key());
+    for (const QString& written : {key(), key() + kScaleKey, key() + kGaveRoomKey})
+        settings_.remove(written);
     const Theme& theme = Theme::get();
     const bool narrow = window_.width() < theme.px(kNarrowWindow);
     const auto place = [&](const Side& side, Qt::DockWidgetArea area, bool used, int width) {
@@ -140,8 +168,8 @@ void SideDocks::reset() {
         if (used)
             window_.resizeDocks({side.dock}, {theme.px(width)}, Qt::Horizontal);
     };
-    place(left_, Qt::LeftDockWidgetArea, page_->leftDock() && hasRoomForBoth(),
-          narrow ? kLeftNarrow : kLeftWidth);
+    gave_room_ = page_->leftDock() && !hasRoomForBoth();
+    place(left_, Qt::LeftDockWidgetArea, page_->leftDock() && !gave_room_, narrow ? kLeftNarrow : kLeftWidth);
     place(right_, Qt::RightDockWidgetArea, page_->rightDock() != nullptr,
           narrow ? kRightNarrow : kRightWidth);
 }
@@ -151,9 +179,40 @@ bool SideDocks::hasRoomForBoth() const {
            window_.width() >= Theme::get().px(kLeastForBothDocks);
 }
 
+bool SideDocks::areBothSeen() const {
+    const auto takes_room = [](const Side& side) {
+        return !side.dock->isHidden() && !side.dock->isFloating();
+    };
+    return takes_room(left_) && takes_room(right_);
+}
+
 void SideDocks::makeRoom() {
-    if (page_ && !hasRoomForBoth() && !left_.dock->isFloating() && !right_.dock->isHidden())
+    if (!page_)
+        return;
+    if (!hasRoomForBoth() && areBothSeen()) {
         left_.dock->hide();
+        gave_room_ = true;
+    } else if (hasRoomForBoth() && std::exchange(gave_room_, false)) {
+        left_.dock->setVisible(page_->leftDock() != nullptr);
+    }
+    const QWidget* centre = window_.centralWidget();
+    if (areBothSeen() && centre->width() < centre->minimumSizeHint().width())
+        window_.resizeDocks({left_.dock, right_.dock},
+                            {Theme::get().px(kLeftNarrow), Theme::get().px(kRightNarrow)}, Qt::Horizontal);
+}
+
+void SideDocks::preferTo(const Side& other) {
+    if (page_ && !hasRoomForBoth() && areBothSeen())
+        other.dock->hide();
+}
+
+void SideDocks::resizeBoth(double factor) {
+    if (factor == 1)
+        return;
+    for (const Side& side : {left_, right_})
+        if (!side.dock->isHidden() && !side.dock->isFloating())
+            window_.resizeDocks({side.dock}, {static_cast<int>(std::lround(side.dock->width() * factor))},
+                                Qt::Horizontal);
 }
 
 void SideDocks::release(Page& page) {

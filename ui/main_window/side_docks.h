@@ -34,6 +34,9 @@ public:
     QDockWidget& left() { return *left_.dock; }
     QDockWidget& right() { return *right_.dock; }
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     struct Side {
         QDockWidget* dock;
@@ -45,8 +48,13 @@ private:
     void fill(const Side& side, QWidget* content, const QString& title);
     void restore();
     bool hasRoomForBoth() const;
-    /// With large type on a small screen the page itself needs the room; the View menu brings the dock back.
+    bool areBothSeen() const;
+    /// With large type or in a small window the page itself needs the room: the left dock goes, and comes
+    /// back when there is room again. Docks that stay are no wider than lets the page be whole.
     void makeRoom();
+    /// The operator wants to see this one: without room for both, the other one goes.
+    void preferTo(const Side& other);
+    void resizeBoth(double factor);
     QString key() const;
 
     QMainWindow& window_;
@@ -54,6 +62,8 @@ private:
     Side left_, right_;
     Step step_ = Step::kStart;
     Page* page_ = nullptr;
+    double scale_;            ///< of type, that the docks' widths are for
+    bool gave_room_ = false;  ///< the left dock, of itself
 };
 
 }  // namespace noctule::ui

@@ -7,6 +7,7 @@
 
 #include "core/formats/bvh.h"
 #include "core/processing/inspect_take.h"
+#include "core/processing/take_quality.h"
 #include "tests/core/processing/processed_runs.h"
 
 namespace noctule {
@@ -59,6 +60,53 @@ TEST(ProcessSimulation, ReadingsGiveTheTruthAndNoSensorHurts) {
     const double lag_deg = meanError_deg(path, {true, true, true}, Smoother::kLag);
     EXPECT_LT(lag_deg, all_deg);
     EXPECT_LT(meanError_deg(path, {true, true, true}, Smoother::kFull), lag_deg);
+}
+
+/// As recordings of other makers may be: some hold attitudes and accelerations only, some no place on the
+/// body.
+TEST(ProcessSimulation, TakesWithoutTheSensorsAskedForAreRefusedOrTold) {
+    if (!std::filesystem::exists(kMotion))
+        GTEST_SKIP() << "no " << kMotion << " (package assimp-testmodels)";
+    const Folder folder;
+    const std::string path = folder.file("lacking.noctule");
+    simulate(path, simulation::Level::kReadings, 3);
+    ProcessRequest request = requestFor(path);
+    const auto processed = [&] { return processTake(request, {}); };
+
+    runSql(path, "DELETE FROM range; DELETE FROM actor");
+    const auto without_distances = processed();
+    ASSERT_TRUE(without_distances) << without_distances.error().text();
+    EXPECT_TRUE(std::ranges::count(without_distances->warnings,
+                                   "The take has no distances; the poses are made without."));
+    EXPECT_EQ(Take::open(path)->actors()->size(), 1U) << "the actor that stood in belongs to the poses";
+
+    const auto quality = [&] {
+        const Take take = Take::open(path).value();
+        return boardQuality(take, take.suit().value(), kPrimaryRun).value().front();
+    };
+    EXPECT_NEAR(double(quality().readings_present) / double(quality().readings_expected), 1, 0.05);
+    runSql(path, "UPDATE inertial SET gx=NULL, gy=NULL, gz=NULL");
+    EXPECT_NEAR(double(quality().readings_present) / double(quality().readings_expected), 1, 0.05)
+        << "no plug is loose where no board has a gyroscope";
+    const auto without_rates = processed();
+    ASSERT_FALSE(without_rates);
+    EXPECT_EQ(without_rates.error().kind, ErrorKind::kUnusable);
+    EXPECT_TRUE(without_rates.error().message.ends_with(
+        "it has no gyroscopes, no distances, so this estimator has too little to go by"))
+        << without_rates.error().message;
+    request.tracker.sensors = {true, false, false};
+    EXPECT_TRUE(processed()) << "asked for by name";
+    runSql(path, "UPDATE inertial SET ax=NULL, ay=NULL, az=NULL");
+    EXPECT_FALSE(processed());
+
+    auto suit = nlohmann::json::parse(toJson(Take::open(path)->suit().value()).dump());
+    for (auto& board : suit["boards"])
+        board["segment"] = nullptr;
+    runSql(path, "UPDATE suit SET json='" + suit.dump() + "'");
+    const auto on_nobody = processed();
+    ASSERT_FALSE(on_nobody);
+    EXPECT_TRUE(on_nobody.error().message.ends_with("none of its boards sits on a segment of the body"))
+        << on_nobody.error().message;
 }
 
 /// The same motion, read at other rates; at `thinned` a third of the readings is missing here and there.

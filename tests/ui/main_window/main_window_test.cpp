@@ -229,6 +229,41 @@ TEST_F(MainWindowTest, TheTourIsWalkedByKeysAndLeadsBack) {
     EXPECT_EQ(window_->step(), Step::kExport) << "where it was begun";
 }
 
+TEST_F(MainWindowTest, InASmallWindowTheLeftDockGivesRoomAndComesBack) {
+    press(Qt::Key_4, Qt::ControlModifier);
+    SideDocks& docks = window_->sideDocks();
+    const auto resized = [&](int width) {
+        window_->resize(width, 700);
+        for (int turn = 0; turn < 4; ++turn)
+            QCoreApplication::processEvents();
+    };
+    resized(1440);
+    EXPECT_FALSE(docks.left().isHidden());
+    const int usual = docks.right().width();
+    resized(1024);
+    EXPECT_TRUE(docks.left().isHidden());
+    EXPECT_FALSE(docks.right().isHidden());
+    docks.left().toggleViewAction()->trigger();
+    EXPECT_FALSE(docks.left().isHidden());
+    EXPECT_TRUE(docks.right().isHidden()) << "the operator wants the other one";
+    docks.right().toggleViewAction()->trigger();
+    resized(1024);
+    EXPECT_TRUE(docks.left().isHidden());
+    docks.reset();
+    press(Qt::Key_3, Qt::ControlModifier);
+    press(Qt::Key_4, Qt::ControlModifier);
+    resized(1440);
+    EXPECT_FALSE(docks.left().isHidden()) << "also after another step was shown";
+
+    Theme::get().setScale(1.5);
+    resized(1440);
+    EXPECT_TRUE(docks.left().isHidden());
+    Theme::get().setScale(1);
+    resized(1440);
+    EXPECT_FALSE(docks.left().isHidden());
+    EXPECT_NEAR(docks.right().width(), usual, 40) << "as wide as before the type was large";
+}
+
 TEST_F(MainWindowTest, LayoutsAreKeptPerStepAndSurviveARestart) {
     window_->goTo(Step::kRecord);
     window_->goTo(Step::kConnect);
