@@ -212,26 +212,32 @@ std::string describe(const ExportRequest& request, const ExportSummary& summary,
 
 Outcome outcomeOf(const ExportRequest& request, const ExportSummary& summary) {
     Outcome outcome;
-    outcome.json = {{"take", request.take_path},
-                    {"run", summary.run},
-                    {"frames", summary.frames},
-                    {"fps", request.frames_per_second},
-                    {"duration_s", summary.duration_s},
-                    {"begin_s", summary.begin_s},
-                    {"files", summary.files}};
+    outcome.json = {{"take", request.take_path},        {"run", summary.run},
+                    {"frames", summary.frames},         {"fps", request.frames_per_second},
+                    {"duration_s", summary.duration_s}, {"files", summary.files}};
     if (!request.video_path.empty())
         outcome.json["film"] = {{"frames", summary.film_frames}, {"fps", request.film.frames_per_second}};
     if (request.worn)
         outcome.json["bones"] = request.worn->bones.node_of_joint;
-    for (const std::string& file : summary.files)
-        outcome.text += file + ": " + describe(request, summary, file) + " of run " + summary.run + ".\n";
-    if (request.from_s) {
-        char begin[80];
-        std::snprintf(begin, sizeof begin, "Time 0 of what is written is second %.6f of the take.\n",
-                      summary.begin_s);
-        outcome.text += begin;
+    for (const std::string& file : summary.files) {
+        outcome.text += file + ": " + describe(request, summary, file) + " of run " + summary.run;
+        const ExportFormat format = formatOf(request, file);
+        if (format != ExportFormat::kPng && format != ExportFormat::kVideo) {
+            outcome.json["begin_s"][file] = summary.begin_s;
+            char begin[64];
+            std::snprintf(begin, sizeof begin, ", from second %.3f of the take", summary.begin_s);
+            outcome.text += request.from_s ? begin : "";
+        }
+        outcome.text += ".\n";
     }
     return outcome;
+}
+
+/// The files of another performer.
+void merge(const nlohmann::json& one, nlohmann::json& all) {
+    all["files"].insert(all["files"].end(), one["files"].begin(), one["files"].end());
+    if (one.contains("begin_s"))
+        all["begin_s"].update(one["begin_s"]);
 }
 
 /// The body that --mesh names; null for ours.
@@ -319,8 +325,7 @@ Result<Outcome> runExport(const VerbContext& context) {
             if (outcome.json.is_null())
                 outcome.json = one.json;
             else
-                outcome.json["files"].insert(outcome.json["files"].end(), one.json["files"].begin(),
-                                             one.json["files"].end());
+                merge(one.json, outcome.json);
             outcome.text += one.text;
         }
         return outcome;
@@ -347,7 +352,8 @@ std::vector<Option> fileOptions() {
 }
 
 std::vector<Option> partOptions() {
-    return {number("from", "S", 0, 86400, "first second of the take; it becomes time 0 of what is written"),
+    return {number("from", "S", 0, 86400,
+                   "first second of the take; the first pose from there on is time 0 of what is written"),
             number("to", "S", 0, 86400, "last second of the take"),
             choice("root", {"moving", "in-place", "heading"},
                    "as captured; over one spot; over one spot and always facing forward")

@@ -113,13 +113,15 @@ private:
 };
 
 /// Boards that were skipped are not judged by what of them was recorded all the same.
-void leaveOut(const CalibrateRequest& request, const Evidence& evidence, std::vector<Finding>& findings,
-              Calibration& found) {
+void leaveOut(const CalibrateRequest& request, const Evidence& evidence, const std::string& procedure,
+              std::vector<Finding>& findings, Calibration& found) {
     for (const std::string& id : request.left_out) {
         const int index = evidence.takes[0].suit.findBoard(id);
         if (index < 0)
             continue;
         std::erase_if(findings, [&](const Finding& finding) { return finding.part == id; });
+        if (procedure == "check")
+            continue;  // it calibrates nothing
         findings.push_back({Grade::kUsable, id, id + " was skipped and keeps what it had",
                             "Repeat its steps when it is to be calibrated"});
         const Board& board = evidence.takes[0].suit.boards[static_cast<size_t>(index)];
@@ -131,7 +133,7 @@ void leaveOut(const CalibrateRequest& request, const Evidence& evidence, std::ve
 template <class Report>
 CalibrationResult resultOf(Report report, const CalibrateRequest& request, const Evidence& evidence,
                            const std::string& procedure, Calibration found) {
-    leaveOut(request, evidence, report.findings, found);
+    leaveOut(request, evidence, procedure, report.findings, found);
     CalibrationResult result;
     Stamp(procedure, request, report.findings).put(found, evidence.base, evidence.takes[0].suit);
     result.calibration = std::move(found);

@@ -86,7 +86,7 @@ Result<Actor> chooseActor(const Take& take, const ProcessRequest& request, Ingre
     if (!stored)
         return stored.error();
     if (stored->empty()) {
-        warnings.push_back("The take names no actor: the default actor of 1.75 m is used and kept in it.");
+        warnings.push_back("The take names no actor: the default actor of 1.75 m is used.");
         return defaultActor();
     }
     auto in_force = take.actorInForce();
@@ -118,11 +118,14 @@ Status readDecoderSettings(const Take& take, const ProcessRequest& request, Ingr
     return Done{};
 }
 
+}  // namespace
+
 /// What a filter needs: without rates or distances its poses would be guesses, as they are of boards that sit
 /// on nobody. Sound and takes of several, whose ranges may be between suits, tell by themselves.
 Status checkSensors(const Take& take, const TrackerSettings& tracker, const Suit& suit,
                     std::vector<std::string>& warnings) {
-    if (std::ranges::all_of(suit.boards, [](const Board& board) { return board.segment.empty(); }))
+    if (!suit.boards.empty() &&
+        std::ranges::all_of(suit.boards, [](const Board& board) { return board.segment.empty(); }))
         return unusableTake(
             take, "none of its boards sits on a segment of the body",
             "Say where they sit when it is imported (--map), or look at single sensors with orient");
@@ -150,8 +153,6 @@ Status checkSensors(const Take& take, const TrackerSettings& tracker, const Suit
         warnings.push_back("The take has " + missing + "; the poses are made without.");
     return Done{};
 }
-
-}  // namespace
 
 Result<Ingredients> gatherIngredients(const Take& take, const ProcessRequest& request,
                                       std::vector<std::string>& warnings) {
@@ -184,9 +185,6 @@ Result<Ingredients> gatherIngredients(const Take& take, const ProcessRequest& re
     if (Status fits = checkCalibration(take, in.suit, in.calibration, warnings); !fits)
         return fits.error();
     in.lack = lackOfTake(take, in.suit, in.calibration);
-    if (!(*estimator)->whole_take)
-        if (Status enough = checkSensors(take, request.tracker, in.suit, warnings); !enough)
-            return enough.error();
     auto actor = chooseActor(take, request, in, warnings);
     if (!actor)
         return actor.error();

@@ -34,6 +34,12 @@ struct Ingredients {
 Result<Ingredients> gatherIngredients(const Take& take, const ProcessRequest& request,
                                       std::vector<std::string>& warnings);
 
+/// What a filter needs: without rates or distances its poses would be guesses, as they are of boards that sit
+/// on nobody. Sensors that lack otherwise become a warning. Takes of sound or of several suits always pass:
+/// their pulses tell later.
+Status checkSensors(const Take& take, const TrackerSettings& tracker, const Suit& suit,
+                    std::vector<std::string>& warnings);
+
 /// What the take lacks with that calibration; one that holds readings needs no source offsets, for its ranges
 /// are distances already.
 CalibrationLack lackOfTake(const Take& take, const Suit& suit, const Calibration& calibration);

@@ -346,9 +346,12 @@ Status ResultRuns::store(Take& take, const ProcessRequest& request, std::vector<
     auto edit = TakeEdit::begin(take);
     if (!edit)
         return edit.error();
+    for (Ingredients& in : subjects) {
+        edit->view(in.subject.suit());
+        if (Status added = addDocuments(*edit, request, in); !added)
+            return added;
+    }
     edit->view(subjects.front().subject.suit());
-    if (Status added = addDocuments(*edit, request, subjects.front()); !added)
-        return added;
     if (Status named = nameRuns(*edit, take, request, subjects); !named)
         return named;
     RunRows rows(*edit, summary, detectorName(subjects.front().decoder.detector), writes_readings_);

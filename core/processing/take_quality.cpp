@@ -160,7 +160,8 @@ Result<std::vector<ReportBoard>> boardQuality(const Take& take, const Suit& suit
         has_gyroscopes = has_gyroscopes || (*reading)->counts[0];
         has_accelerometers = has_accelerometers || (*reading)->counts[3];
     }
-    const int axes = (has_gyroscopes ? 3 : 0) + (has_accelerometers ? 3 : 0);
+    const bool lacks_one = take.level() == TakeLevel::kReadings && has_gyroscopes != has_accelerometers;
+    const int axes = lacks_one ? 3 : 6;
     for (size_t b = 0; b < boards.size(); ++b) {
         boards[b].frames_expected = frames;
         boards[b].frames_lost += frames - rows[b];

@@ -4714,6 +4714,10 @@
         <translation>Den Magneten daneben entfernen und es noch einmal drehen</translation>
     </message>
     <message>
+        <source>That actor is kept in the take, with the poses.</source>
+        <translation>Dieser Darsteller bleibt mit den Haltungen in der Aufnahme.</translation>
+    </message>
+    <message>
         <source>The boxes' clocks are known from the rest pose alone, since no transceivers of all suits hear each other both ways: ranges between suits drift.</source>
         <translation>Die Uhren der Boxen sind nur aus der Ruhehaltung bekannt, da keine Sendeempfänger aller Anzüge einander in beiden Richtungen hören: Entfernungen zwischen Anzügen driften.</translation>
     </message>
@@ -4802,8 +4806,8 @@
         <translation>Die Aufnahme hat mehr Entfernungen zwischen Anzügen, als für ihre Uhren verwendet werden: deren letzte Raten werden bis zum Ende fortgeführt.</translation>
     </message>
     <message>
-        <source>The take names no actor: the default actor of 1.75 m is used and kept in it.</source>
-        <translation>Die Aufnahme nennt keinen Darsteller: der Standarddarsteller von 1,75 m wird verwendet und in ihr behalten.</translation>
+        <source>The take names no actor: the default actor of 1.75 m is used.</source>
+        <translation>Die Aufnahme nennt keinen Darsteller: der Standarddarsteller von 1,75 m wird verwendet.</translation>
     </message>
     <message>
         <source>The take was never closed: it is being recorded, or the recording was cut short.</source>

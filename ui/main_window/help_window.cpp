@@ -37,7 +37,9 @@ void layOut(QTextDocument& document) {
     const Theme& theme = Theme::get();
     for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
         QTextCursor cursor(block);
-        if (cursor.currentTable() || block.textList() || block.blockFormat().headingLevel() > 0)
+        const QTextBlockFormat is = block.blockFormat();
+        if (cursor.currentTable() || block.textList() || is.headingLevel() > 0 ||
+            is.hasProperty(QTextFormat::BlockCodeFence) || is.hasProperty(QTextFormat::BlockCodeLanguage))
             continue;
         QTextBlockFormat format;
         format.setTopMargin(theme.px(4));
@@ -90,7 +92,9 @@ HelpWindow::HelpWindow(QWidget* parent)
             follow(QUrl(item->data(Qt::UserRole).toString() + ".md"));
     });
     connect(page_, &QTextBrowser::anchorClicked, this, &HelpWindow::follow);
-    connect(page_, &QTextBrowser::sourceChanged, this, [this] { layOut(*page_->document()); });
+    const auto lay_out = [this] { layOut(*page_->document()); };
+    connect(page_, &QTextBrowser::sourceChanged, this, lay_out);
+    connect(&Theme::get(), &Theme::changed, this, lay_out);
     auto* row = addRow(outer, 8);
     Button* back = makeButton(ButtonKind::kText, tr("Back"), "prev");
     row->addWidget(back);

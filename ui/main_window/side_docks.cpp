@@ -59,11 +59,8 @@ SideDocks::SideDocks(QMainWindow& window, QSettings& settings)
         resizeBoth(Theme::get().scale() / std::exchange(scale_, Theme::get().scale()));
         makeRoom();
     });
-    connect(left_.action, &QAction::triggered, this, [this] {
-        gave_room_ = false;
-        preferTo(right_);
-    });
-    connect(right_.action, &QAction::triggered, this, [this] { preferTo(left_); });
+    connect(left_.action, &QAction::triggered, this, [this] { preferTo(*right_.dock); });
+    connect(right_.action, &QAction::triggered, this, [this] { preferTo(*left_.dock); });
     window.installEventFilter(this);
 }
 
@@ -109,7 +106,7 @@ void SideDocks::keep() {
         return;
     settings_.setValue(key(), window_.saveState(kLayoutVersion));
     settings_.setValue(key() + kScaleKey, scale_);
-    settings_.setValue(key() + kGaveRoomKey, gave_room_);
+    settings_.setValue(key() + kGaveRoomKey, gave_room_ ? gave_room_->objectName() : QString());
 }
 
 void SideDocks::show(Step step, Page& page) {
@@ -151,7 +148,8 @@ void SideDocks::restore() {
     // A layout cannot open what the page does not have.
     left_.dock->setVisible(!left_.dock->isHidden() && page_->leftDock());
     right_.dock->setVisible(!right_.dock->isHidden() && page_->rightDock());
-    gave_room_ = settings_.value(key() + kGaveRoomKey, false).toBool();
+    const QString gave_room = settings_.value(key() + kGaveRoomKey).toString();
+    gave_room_ = gave_room.isEmpty() ? nullptr : gave_room == "left" ? left_.dock : right_.dock;
     resizeBoth(scale_ / settings_.value(key() + kScaleKey, scale_).toDouble());
     makeRoom();
 }
@@ -168,7 +166,7 @@ void SideDocks::reset() {
         if (used)
             window_.resizeDocks({side.dock}, {theme.px(width)}, Qt::Horizontal);
     };
-    gave_room_ = page_->leftDock() && !hasRoomForBoth();
+    gave_room_ = page_->leftDock() && !hasRoomForBoth() ? left_.dock : nullptr;
     place(left_, Qt::LeftDockWidgetArea, page_->leftDock() && !gave_room_, narrow ? kLeftNarrow : kLeftWidth);
     place(right_, Qt::RightDockWidgetArea, page_->rightDock() != nullptr,
           narrow ? kRightNarrow : kRightWidth);
@@ -189,21 +187,26 @@ bool SideDocks::areBothSeen() const {
 void SideDocks::makeRoom() {
     if (!page_)
         return;
-    if (!hasRoomForBoth() && areBothSeen()) {
-        left_.dock->hide();
-        gave_room_ = true;
-    } else if (hasRoomForBoth() && std::exchange(gave_room_, false)) {
-        left_.dock->setVisible(page_->leftDock() != nullptr);
-    }
+    if (!hasRoomForBoth() && areBothSeen())
+        giveRoom(*left_.dock);
+    else if (hasRoomForBoth() && gave_room_)
+        std::exchange(gave_room_, nullptr)->show();
     const QWidget* centre = window_.centralWidget();
     if (areBothSeen() && centre->width() < centre->minimumSizeHint().width())
         window_.resizeDocks({left_.dock, right_.dock},
                             {Theme::get().px(kLeftNarrow), Theme::get().px(kRightNarrow)}, Qt::Horizontal);
 }
 
-void SideDocks::preferTo(const Side& other) {
+void SideDocks::preferTo(QDockWidget& other) {
+    if (gave_room_ != &other)
+        gave_room_ = nullptr;  // the operator has decided about it
     if (page_ && !hasRoomForBoth() && areBothSeen())
-        other.dock->hide();
+        giveRoom(other);
+}
+
+void SideDocks::giveRoom(QDockWidget& dock) {
+    dock.hide();
+    gave_room_ = &dock;
 }
 
 void SideDocks::resizeBoth(double factor) {

@@ -5,6 +5,7 @@
 
 #include <QDockWidget>
 #include <QMainWindow>
+#include <QPointer>
 #include <map>
 
 #include "ui/models/studio.h"
@@ -49,11 +50,12 @@ private:
     void restore();
     bool hasRoomForBoth() const;
     bool areBothSeen() const;
-    /// With large type or in a small window the page itself needs the room: the left dock goes, and comes
-    /// back when there is room again. Docks that stay are no wider than lets the page be whole.
+    /// With large type or in a small window the page itself needs the room: one dock goes, usually the left
+    /// one, and comes back when there is room again. Where both stay they may not cut the page.
     void makeRoom();
     /// The operator wants to see this one: without room for both, the other one goes.
-    void preferTo(const Side& other);
+    void preferTo(QDockWidget& other);
+    void giveRoom(QDockWidget& dock);
     void resizeBoth(double factor);
     QString key() const;
 
@@ -62,8 +64,8 @@ private:
     Side left_, right_;
     Step step_ = Step::kStart;
     Page* page_ = nullptr;
-    double scale_;            ///< of type, that the docks' widths are for
-    bool gave_room_ = false;  ///< the left dock, of itself
+    double scale_;                     ///< of type, that the docks' widths are for
+    QPointer<QDockWidget> gave_room_;  ///< comes back when there is room for both
 };
 
 }  // namespace noctule::ui

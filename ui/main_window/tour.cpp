@@ -145,6 +145,8 @@ bool Tour::focusNextPrevChild(bool next) {
     for (Button* button : {skip_, back_, next_})
         if (button->isVisible())
             buttons.push_back(button);
+    if (buttons.empty())  // it ends
+        return QFrame::focusNextPrevChild(next);
     const auto at = std::ranges::find(buttons, focusWidget());
     const auto count = std::ssize(buttons), index = at - buttons.begin();
     buttons[static_cast<size_t>((index + (next ? 1 : count - 1)) % count)]->setFocus(Qt::TabFocusReason);

@@ -103,11 +103,27 @@ void CalibrationShelf::follow() {
             hand();  // it may have become this suit's own, or not be any more
         return;
     }
+    const bool is_same_session = folder() == folder_;
+    const QString before = std::exchange(in_force_, fileInForce());
     folder_ = folder();
-    in_force_ = fileInForce();
     read();
+    if (is_same_session)
+        noteWhatWasTakenBack(before);
+    else
+        taken_back_.clear();
     hand();
     emit changed();
+}
+
+/// Undone, or gone back from: then none is in force, or one that was made earlier. `before`: what was in
+/// force.
+void CalibrationShelf::noteWhatWasTakenBack(const QString& before) {
+    const auto placeOf = [this](const QString& file) {
+        return std::ranges::find(all_, file, &ShelvedCalibration::file);
+    };
+    const auto was = placeOf(before), is = placeOf(in_force_);
+    if (was != all_.end() && was < is)  // the latest stand first
+        taken_back_.push_back(was->calibration);
 }
 
 void CalibrationShelf::read() {
@@ -172,11 +188,7 @@ QString CalibrationShelf::serial() const {
 }
 
 void CalibrationShelf::recall() {
-    // What this session itself has found and does not use was taken back.
-    std::vector<Calibration> taken_back;
-    for (const ShelvedCalibration& shelved : all_)
-        taken_back.push_back(shelved.calibration);
-    remembered_ = memory_.latest(serial(), taken_back);
+    remembered_ = memory_.latest(serial(), taken_back_);
     if (!remembered_)
         return;
     const QDateTime made = ShelvedCalibration{{}, *remembered_}.made();

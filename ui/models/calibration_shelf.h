@@ -72,6 +72,7 @@ private:
     void keepMeasures(const Actor& actor, const QString& what);
     void follow();
     void read();
+    void noteWhatWasTakenBack(const QString& before);
     void hand();
     void remember(const Calibration& calibration);
     void recall();
@@ -85,6 +86,7 @@ private:
     SessionModel& session_;
     LiveSuit& suit_;
     std::vector<ShelvedCalibration> all_;
+    std::vector<Calibration> taken_back_;  ///< in this session
     QString folder_, in_force_;
     std::optional<QString> handed_;  ///< to the suit that is connected
     const SuitMemory memory_;

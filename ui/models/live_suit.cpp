@@ -45,11 +45,11 @@ std::span<const Transition<LiveSuit::Phase>> LiveSuit::transitions() {
         {kConnecting, kReady},   {kConnecting, kRefused}, {kConnecting, kNone},                   //
         {kReady, kLooking},      {kReady, kStarting},     {kReady, kRefused},   {kReady, kNone},  //
         {kLooking, kReady},      {kLooking, kStarting},   {kLooking, kRefused}, {kLooking, kNone},
-        {kLooking, kSaving},                                                   // evidence of a calibration
-        {kStarting, kRecording}, {kStarting, kSaving},    {kStarting, kNone},  //
-        {kStarting, kLooking},   {kStarting, kReady},                          // no take came to be
-        {kRecording, kSaving},                                                 //
-        {kSaving, kLooking},     {kSaving, kReady},       {kSaving, kNone},    //
+        {kLooking, kSaving},                                                 // evidence of a calibration
+        {kStarting, kRecording}, {kStarting, kNone},                         //
+        {kStarting, kLooking},   {kStarting, kReady},                        // no take came to be
+        {kRecording, kSaving},                                               //
+        {kSaving, kLooking},     {kSaving, kReady},       {kSaving, kNone},  //
         {kRefused, kNone},
     };
     return kTable;

@@ -20,6 +20,7 @@ public:
     explicit JobProgress(QWidget* parent = nullptr);
 
     void follow(Job* job);
+    Job* job() const { return job_; }
     bool isRunning() const { return job_ && job_->state() == Job::State::kRunning; }
 
 signals:

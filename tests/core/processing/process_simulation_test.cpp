@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "core/formats/bvh.h"
+#include "core/processing/calibrate_takes.h"
 #include "core/processing/inspect_take.h"
 #include "core/processing/take_quality.h"
 #include "tests/core/processing/processed_runs.h"
@@ -107,6 +108,17 @@ TEST(ProcessSimulation, TakesWithoutTheSensorsAskedForAreRefusedOrTold) {
     ASSERT_FALSE(on_nobody);
     EXPECT_TRUE(on_nobody.error().message.ends_with("none of its boards sits on a segment of the body"))
         << on_nobody.error().message;
+
+    CalibrateRequest bench{.take_paths = {path}};
+    EXPECT_TRUE(calibrateAccelerometers(bench, {})) << "calibrations need no body, nor gyroscopes";
+    const std::string skipped = Take::open(path)->suit()->boards.front().id;
+    bench.left_out = {skipped};
+    const auto with_skipped = calibrateAccelerometers(bench, {});
+    ASSERT_TRUE(with_skipped);
+    const auto& findings = with_skipped->document.findings;
+    const auto of_skipped = std::ranges::find(findings, skipped, &Finding::part);
+    ASSERT_NE(of_skipped, findings.end());
+    EXPECT_EQ(of_skipped->what, skipped + " was skipped and keeps what it had");
 }
 
 /// The same motion, read at other rates; at `thinned` a third of the readings is missing here and there.

@@ -247,9 +247,11 @@ TEST_F(MainWindowTest, InASmallWindowTheLeftDockGivesRoomAndComesBack) {
     EXPECT_FALSE(docks.left().isHidden());
     EXPECT_TRUE(docks.right().isHidden()) << "the operator wants the other one";
     docks.right().toggleViewAction()->trigger();
+    resized(1440);
+    EXPECT_FALSE(docks.left().isHidden()) << "whichever went for the other one comes back";
+    EXPECT_FALSE(docks.right().isHidden());
     resized(1024);
     EXPECT_TRUE(docks.left().isHidden());
-    docks.reset();
     press(Qt::Key_3, Qt::ControlModifier);
     press(Qt::Key_4, Qt::ControlModifier);
     resized(1440);

@@ -117,7 +117,7 @@ std::span<const Transition<RecordRun::State>> RecordRun::transitions() {
         {kRefused, kNoSuit},      {kRefused, kReady},                             //
         {kRefused, kCountdown},   {kRefused, kRecording},                         // all the same
         {kCountdown, kReady},     {kCountdown, kRefused}, {kCountdown, kNoSuit},  //
-        {kCountdown, kRecording},                                                 //
+        {kCountdown, kRecording}, {kCountdown, kSaving},                          //
         {kRecording, kSaving},    {kRecording, kNoSuit},                          //
         {kRecording, kReady},     {kRecording, kRefused},                         // no take came to be
         {kReady, kSaving},        {kRefused, kSaving},                            // evidence of a calibration
@@ -149,7 +149,8 @@ void RecordRun::follow() {
                       std::exchange(suits_, suitCount()) == suitCount();
     obstacle_ = obstacle;
     const bool cannot = obstacle_ && !obstacle_.may_record_anyway;
-    if (cannot || capture_.suits().phase() == LiveSuit::Phase::kNone)
+    const LiveSuit::Phase phase = capture_.suits().phase();
+    if (cannot || phase == LiveSuit::Phase::kNone || phase == LiveSuit::Phase::kSaving)
         counting_.invalidate();
     const State now = stateNow();
     const bool ticks = now == State::kCountdown || now == State::kRecording;

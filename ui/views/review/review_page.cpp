@@ -135,7 +135,7 @@ void ReviewPage::process(const ProcessRequest& request) {
     earlier_.reset();
     if (shown >= 0)
         earlier_ = Earlier{overview->runs[static_cast<size_t>(shown)].run.run, overview->runs.size()};
-    sidebar_->progress().follow(studio_.process(request));
+    studio_.process(request);
 }
 
 void ReviewPage::compareWithEarlier() {

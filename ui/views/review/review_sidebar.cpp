@@ -141,7 +141,10 @@ void ReviewSidebar::refresh() {
     reprocess_->setText(has_runs ? tr("Reprocess") : tr("Process"));
     Job* job = studio_.take().processing();
     reprocess_->setDisabledBecause(job && !has_runs ? tr("The take is being processed.") : QString());
-    if (job && !progress_->isRunning())
+    // A failure stays to be read until another take is opened.
+    const QString path = studio_.take().path();
+    const bool is_other_take = std::exchange(followed_, path) != path;
+    if (is_other_take || (job && job != progress_->job()))
         progress_->follow(job);
 }
 

@@ -52,6 +52,7 @@ private:
     RunList* runs_ = nullptr;
     Button* reprocess_ = nullptr;
     JobProgress* progress_ = nullptr;
+    QString followed_;  ///< the take whose jobs it shows
     ReferencePanel* reference_ = nullptr;
     NotesPanel* notes_ = nullptr;
 };
