@@ -212,10 +212,22 @@ void SideDocks::giveRoom(QDockWidget& dock) {
 void SideDocks::resizeBoth(double factor) {
     if (factor == 1)
         return;
-    for (const Side& side : {left_, right_})
-        if (!side.dock->isHidden() && !side.dock->isFloating())
-            window_.resizeDocks({side.dock}, {static_cast<int>(std::lround(side.dock->width() * factor))},
-                                Qt::Horizontal);
+    const Theme& theme = Theme::get();
+    const bool narrow = window_.width() < theme.px(kNarrowWindow);
+    QList<QDockWidget*> docks;
+    QList<int> widths;
+    const auto add = [&](const Side& side, int narrow_width) {
+        if (side.dock->isHidden() || side.dock->isFloating())
+            return;
+        docks += side.dock;
+        widths +=
+            narrow ? theme.px(narrow_width) : static_cast<int>(std::lround(side.dock->width() * factor));
+    };
+    add(left_, kLeftNarrow);
+    add(right_, kRightNarrow);
+    // What they hold has its new size then.
+    QTimer::singleShot(0, this,
+                       [this, docks, widths] { window_.resizeDocks(docks, widths, Qt::Horizontal); });
 }
 
 void SideDocks::release(Page& page) {
