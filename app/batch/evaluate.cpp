@@ -281,7 +281,7 @@ Result<Outcome> runEvaluate(const VerbContext& context) {
     if (!subjects)
         return subjects.error();
     request.suit = subjects->front().suit();
-    const auto data = evaluateTake(request, context.job());
+    auto data = evaluateTake(request, context.job());
     if (!data)
         return data.error();
     for (const std::string& warning : data->warnings)
@@ -316,7 +316,7 @@ Result<Outcome> runEvaluate(const VerbContext& context) {
     }
     if (!csv_path.empty()) {
         if (reports.empty())
-            reports.push_back({subjects->front().name, *data});
+            reports.push_back({subjects->front().name, std::move(*data)});
         if (Status written = writeFileAtomically(csv_path, jointsCsv(reports), overwrite); !written)
             return written.error();
         outcome.json["csv"] = csv_path;

@@ -55,7 +55,7 @@ Result<std::vector<Ingredients>> gatherAll(Take& take, const ProcessRequest& req
             if (Status enough = checkSensors(take, request.tracker, in->suit, own); !enough)
                 return enough.error();
         if (!in->actor_id && !request.actor)
-            own.push_back("That actor is kept in the take, with the poses.");
+            own.push_back("The default actor is kept in the take, with the poses.");
         for (const std::string& warning : own)
             warnings.push_back((subjects->size() > 1 ? subject.name + ": " : "") + warning);
         in->subject = subject;

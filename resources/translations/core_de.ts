@@ -4714,10 +4714,6 @@
         <translation>Den Magneten daneben entfernen und es noch einmal drehen</translation>
     </message>
     <message>
-        <source>That actor is kept in the take, with the poses.</source>
-        <translation>Dieser Darsteller bleibt mit den Haltungen in der Aufnahme.</translation>
-    </message>
-    <message>
         <source>The boxes' clocks are known from the rest pose alone, since no transceivers of all suits hear each other both ways: ranges between suits drift.</source>
         <translation>Die Uhren der Boxen sind nur aus der Ruhehaltung bekannt, da keine Sendeempfänger aller Anzüge einander in beiden Richtungen hören: Entfernungen zwischen Anzügen driften.</translation>
     </message>
@@ -4740,6 +4736,10 @@
     <message>
         <source>The clock of suit %1 cannot be joined to that of suit %2: no transceivers of both hear each other well enough. It stands alone, at the recorder's guess, which may be 5 ms off.</source>
         <translation>Die Uhr von Anzug %1 lässt sich nicht mit der von Anzug %2 verbinden: keine Sender und Empfänger beider hören einander gut genug. Sie steht für sich, nach der Schätzung des Rekorders, die um 5 ms abweichen kann.</translation>
+    </message>
+    <message>
+        <source>The default actor is kept in the take, with the poses.</source>
+        <translation>Der Standarddarsteller bleibt mit den Haltungen in der Aufnahme.</translation>
     </message>
     <message>
         <source>The figure in the file faces another way than the performer.</source>

@@ -210,7 +210,7 @@ void SideDocks::giveRoom(QDockWidget& dock) {
 }
 
 void SideDocks::resizeBoth(double factor) {
-    if (factor == 1)
+    if (factor == 1 || !(factor > 0.4 && factor < 2.5))  // or what is kept is damaged
         return;
     const Theme& theme = Theme::get();
     const bool narrow = window_.width() < theme.px(kNarrowWindow);

@@ -239,7 +239,7 @@ QString CalibrationShelf::importFile(const QString& path) {
     if (!boards.empty() && !knows_some)
         return tr("%1 knows none of the boards of %2. Choose the calibration of this suit.")
             .arg(QFileInfo(path).fileName(), serial());
-    if (!suit_.makeSureOfSession())
+    if (!session_.makeSure())
         return tr("There is no session to keep the calibration in, and none could be made. Make one first.");
     const QString name = nextName(QFileInfo(path).completeBaseName()) + ".json";
     if (const QString trouble = write(*calibration, name); !trouble.isEmpty())

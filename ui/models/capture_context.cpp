@@ -22,8 +22,7 @@ VirtualSuit::Parts virtualSuitParts(const StudioParts& parts) {
 CaptureContext::CaptureContext(SharedContext& shared)
     : shared_(shared),
       finder_(shared.settings()),
-      suits_(shared.jobs(), shared.session(),
-             {shared.parts().software, shared.parts().utc_now, [&shared] { return shared.sessionsFolder(); }},
+      suits_(shared.jobs(), shared.session(), {shared.parts().software, shared.parts().utc_now},
              {[&shared] { return shared.takesFolder(); }, suitsFolder()}),
       virtual_suit_(shared.jobs(), virtualSuitParts(shared.parts())),
       second_virtual_suit_(shared.jobs(), virtualSuitParts(shared.parts())),

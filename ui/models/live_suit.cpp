@@ -38,9 +38,9 @@ LiveSuit::LiveSuit(Jobs& jobs, SessionModel& session, Surroundings surroundings,
 /// The one place that waits: the studio ends, and a take that is open ends with it, intact.
 LiveSuit::~LiveSuit() = default;
 
-std::span<const Transition<LiveSuit::Phase>> LiveSuit::transitions() {
+std::span<const PhaseTransition<LiveSuit::Phase>> LiveSuit::transitions() {
     using enum Phase;
-    static constexpr Transition<Phase> kTable[] = {
+    static constexpr PhaseTransition<Phase> kTable[] = {
         {kNone, kConnecting},                                                                     //
         {kConnecting, kReady},   {kConnecting, kRefused}, {kConnecting, kNone},                   //
         {kReady, kLooking},      {kReady, kStarting},     {kReady, kRefused},   {kReady, kNone},  //

@@ -32,7 +32,7 @@ public:
         kSaving,   ///< stopped; the take becomes one file
         kRefused,  ///< for good; see status()->trouble
     };
-    static std::span<const Transition<Phase>> transitions();
+    static std::span<const PhaseTransition<Phase>> transitions();
     struct TakePlan {
         QString base_name;      ///< "walk": walk_001, walk_002, ...
         QString shot;           ///< of the shot list; empty: none
@@ -49,7 +49,6 @@ public:
     struct Surroundings {
         std::string software;
         std::function<std::string()> utc_now;
-        std::function<QString()> sessions_folder;  ///< where a session by date is made
     };
 
     LiveSuit(Jobs& jobs, SessionModel& session, Surroundings surroundings, QObject* parent = nullptr);
@@ -104,8 +103,6 @@ public:
     /// Keeps what was seen just now; evidenceRecorded() comes when it is on disk. In words why not, else
     /// empty.
     QString keepEvidence(const EvidencePlan& plan);
-    /// Makes one by date when none is open; false: it could not be made.
-    bool makeSureOfSession() { return session_.makeSure(surroundings_.sessions_folder()); }
     void addMarker(const QString& label);
     void addNote(const QString& text);
     /// Who wears it; empty: the session's current performer.

@@ -177,7 +177,7 @@ QString LiveSuit::keepEvidence(const EvidencePlan& plan) {
         return why;
     if (phase_ != Phase::kLooking || working_)
         return tr("The driver box is busy. Wait a moment.");
-    if (!makeSureOfSession())
+    if (!session_.makeSure())
         return tr("There is no session to keep the calibration in, and none could be made. Make one first.");
     working_ = true;
     setPhase(Phase::kSaving);
@@ -219,7 +219,7 @@ void LiveSuit::evidenceEnded(const StreamResult& result) {
 QString LiveSuit::record(const TakePlan& plan) {
     if (const QString why = whyNotRecord(); !why.isEmpty())
         return why;
-    if (!makeSureOfSession())
+    if (!session_.makeSure())
         return tr("There is no session to record into, and none could be made. Make one first.");
     stop_wanted_ = false;
     recorded_.reset();

@@ -46,7 +46,7 @@ QString LiveSuits::record(const LiveSuit::TakePlan& plan) {
         return tr("A take is being recorded already.");
     if (const QString why = whyNotRecord(); !why.isEmpty())
         return why;
-    if (!current_->suit.makeSureOfSession())
+    if (!session_.makeSure())
         return tr("There is no session to record into, and none could be made. Make one first.");
     plan_ = plan;
     stop_wanted_ = false;

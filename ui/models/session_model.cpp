@@ -37,7 +37,8 @@ QString keyOf(const Session& session) {
 
 }  // namespace
 
-SessionModel::SessionModel(Jobs& jobs, QObject* parent) : QObject(parent), jobs_(jobs), saver_(jobs) {
+SessionModel::SessionModel(Jobs& jobs, std::function<QString()> home, QObject* parent)
+    : QObject(parent), jobs_(jobs), home_(std::move(home)), saver_(jobs) {
     connect(&saver_, &SessionSaver::failed, this, [this](const Error& error) {
         tell(tr("The session could not be saved. Your takes are safe; the changes are kept here and saved "
                 "with the next one"),
@@ -65,10 +66,10 @@ bool SessionModel::create(const QString& folder, const QString& name) {
     return true;
 }
 
-bool SessionModel::makeSure(const QString& home) {
+bool SessionModel::makeSure() {
     if (isOpen())
         return true;
-    const QDir folder(home);
+    const QDir folder(home_());
     const QString date = QDate::currentDate().toString(Qt::ISODate);
     QString name = date;
     for (int number = 2; QFileInfo::exists(folder.filePath(name)); ++number)

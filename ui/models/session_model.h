@@ -23,7 +23,8 @@ namespace noctule::ui {
 class SessionModel : public QObject {
     Q_OBJECT
 public:
-    explicit SessionModel(Jobs& jobs, QObject* parent = nullptr);
+    /// `home`: the folder in which sessions by date are made.
+    SessionModel(Jobs& jobs, std::function<QString()> home, QObject* parent = nullptr);
     ~SessionModel() override;  ///< saves
 
     bool isOpen() const { return session_.has_value(); }
@@ -37,8 +38,8 @@ public:
     void setCurrentTake(int index);
 
     bool create(const QString& folder, const QString& name);  ///< false: failed() was emitted
-    /// Makes one by date in `home` when none is open; false: failed() was emitted.
-    bool makeSure(const QString& home);
+    /// Makes one by date when none is open; false: failed() was emitted.
+    bool makeSure();
     /// A job; opened() or failed(). The take named becomes the current one, else the one that was current
     /// when the session was last open.
     void open(const QString& folder, const QString& take = {});
@@ -118,6 +119,7 @@ private:
     Status moveTake(Session& session, const std::string& from, const std::string& to);
 
     Jobs& jobs_;
+    const std::function<QString()> home_;
     SessionSaver saver_;
     std::optional<Session> session_;
     UndoHistory undo_;

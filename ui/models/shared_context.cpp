@@ -29,7 +29,10 @@ Result<SkinnedMesh> readBody() {
 }  // namespace
 
 SharedContext::SharedContext(StudioParts parts, QObject* parent)
-    : QObject(parent), parts_(std::move(parts)), session_(jobs_), shown_body_(jobs_, session_) {
+    : QObject(parent),
+      parts_(std::move(parts)),
+      session_(jobs_, [this] { return sessionsFolder(); }),
+      shown_body_(jobs_, session_) {
     connect(&shown_body_, &ShownBody::failed, this, &SharedContext::failed);
     loadBody();
 }

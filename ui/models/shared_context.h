@@ -63,8 +63,6 @@ public:
     QString sessionsFolder() const;
     /// Of the open session, else the one where sessions are made.
     QString takesFolder() const;
-    /// Makes one by date when none is open; false: it could not be made, and session().failed() said why.
-    bool makeSureOfSession() { return session_.makeSure(sessionsFolder()); }
 
 public slots:
     void say(const QString& sentence) { emit said(sentence); }

@@ -74,7 +74,7 @@ Job* Studio::tryVirtualSuit() {
 
 Job* Studio::importMotion(std::shared_ptr<const figure::UnderstoodMotion> motion,
                           const std::string& scenario) {
-    if (!makeSureOfSession())
+    if (!session().makeSure())
         return nullptr;
     VirtualSessionRequest request;
     request.take_base = motion->clip.name;

@@ -10,9 +10,9 @@
 namespace noctule::ui {
 
 template <class Phase>
-struct Transition {
+struct PhaseTransition {
     Phase from, to;
-    friend bool operator==(const Transition&, const Transition&) = default;
+    friend bool operator==(const PhaseTransition&, const PhaseTransition&) = default;
 };
 
 Q_DECLARE_LOGGING_CATEGORY(phases)
@@ -20,8 +20,8 @@ Q_DECLARE_LOGGING_CATEGORY(phases)
 /// A step that the table does not hold is our fault. It stands in the log and fails a test; the operator goes
 /// on.
 template <class Phase>
-void expectTransition(std::span<const Transition<Phase>> table, Phase from, Phase to, const char* of) {
-    if (std::ranges::find(table, Transition<Phase>{from, to}) == table.end())
+void expectTransition(std::span<const PhaseTransition<Phase>> table, Phase from, Phase to, const char* of) {
+    if (std::ranges::find(table, PhaseTransition<Phase>{from, to}) == table.end())
         qCCritical(phases, "%s: phase %d does not lead to phase %d", of, static_cast<int>(from),
                    static_cast<int>(to));
 }

@@ -55,9 +55,9 @@ WizardRun::~WizardRun() {
         keepReadings();
 }
 
-std::span<const Transition<WizardRun::Phase>> WizardRun::transitions() {
+std::span<const PhaseTransition<WizardRun::Phase>> WizardRun::transitions() {
     using enum Phase;
-    static constexpr Transition<Phase> kTable[] = {
+    static constexpr PhaseTransition<Phase> kTable[] = {
         {kIntro, kGuiding},  {kIntro, kSolving},                        // takes that are there
         {kGuiding, kTaking}, {kGuiding, kSolving}, {kGuiding, kIntro},  //
         {kTaking, kGuiding}, {kTaking, kIntro},                         //
@@ -162,7 +162,7 @@ void WizardRun::leaveSuit() {
 }
 
 void WizardRun::begin() {
-    if (!whyNotBegin().isEmpty() || !capture_.shared().makeSureOfSession())
+    if (!whyNotBegin().isEmpty() || !capture_.shared().session().makeSure())
         return;
     result_.reset();
     trouble_.clear();
@@ -351,7 +351,7 @@ void WizardRun::solveTakes(const QStringList& paths) {
     for (const QString& path : paths)
         files.push_back(path.toStdString());
     from_evidence_ = false;
-    if (!files.empty() && capture_.shared().makeSureOfSession())
+    if (!files.empty() && capture_.shared().session().makeSure())
         solve(files);
 }
 

@@ -32,7 +32,7 @@ public:
         kSolving,
         kResult,
     };
-    static std::span<const Transition<Phase>> transitions();
+    static std::span<const PhaseTransition<Phase>> transitions();
 
     WizardRun(CaptureContext& capture, WizardTask task, QObject* parent = nullptr);
     ~WizardRun() override;

@@ -11,12 +11,12 @@ namespace noctule::ui::test {
 
 /// From `first` every phase can be reached, and each leads back to it; no step stands twice or leads nowhere.
 template <class Phase>
-void expectWhole(std::span<const Transition<Phase>> table, Phase first, int count) {
+void expectWhole(std::span<const PhaseTransition<Phase>> table, Phase first, int count) {
     const auto reached = [&](bool forwards) {
         std::set<Phase> found{first};
         for (size_t before = 0; before != found.size();) {
             before = found.size();
-            for (const Transition<Phase>& step : table)
+            for (const PhaseTransition<Phase>& step : table)
                 if (found.contains(forwards ? step.from : step.to))
                     found.insert(forwards ? step.to : step.from);
         }
@@ -24,7 +24,7 @@ void expectWhole(std::span<const Transition<Phase>> table, Phase first, int coun
     };
     EXPECT_EQ(reached(true), count);
     EXPECT_EQ(reached(false), count);
-    for (const Transition<Phase>& step : table) {
+    for (const PhaseTransition<Phase>& step : table) {
         EXPECT_NE(step.from, step.to);
         EXPECT_EQ(std::ranges::count(table, step), 1)
             << static_cast<int>(step.from) << " to " << static_cast<int>(step.to);
@@ -33,9 +33,9 @@ void expectWhole(std::span<const Transition<Phase>> table, Phase first, int coun
 
 /// What leads to a phase.
 template <class Phase>
-std::set<Phase> before(std::span<const Transition<Phase>> table, Phase phase) {
+std::set<Phase> before(std::span<const PhaseTransition<Phase>> table, Phase phase) {
     std::set<Phase> found;
-    for (const Transition<Phase>& step : table)
+    for (const PhaseTransition<Phase>& step : table)
         if (step.to == phase)
             found.insert(step.from);
     return found;

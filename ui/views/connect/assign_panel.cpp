@@ -173,7 +173,7 @@ void AssignPanel::swap(int board, int with) {
     Suit suit = capture_.suit().suit();
     const auto count = static_cast<int>(suit.boards.size());
     if (board < 0 || with < 0 || board >= count || with >= count || board == with ||
-        !capture_.shared().makeSureOfSession())
+        !capture_.shared().session().makeSure())
         return;
     suit = capture_.suit().suit();
     const QString names = tr("Swap boards %1 and %2").arg(board + 1).arg(with + 1);

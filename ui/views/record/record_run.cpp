@@ -108,9 +108,9 @@ RecordObstacle RecordRun::obstacleOf(const SuitInUse& worn) {
     return {};
 }
 
-std::span<const Transition<RecordRun::State>> RecordRun::transitions() {
+std::span<const PhaseTransition<RecordRun::State>> RecordRun::transitions() {
     using enum State;
-    static constexpr Transition<State> kTable[] = {
+    static constexpr PhaseTransition<State> kTable[] = {
         {kNoSuit, kReady},        {kNoSuit, kRefused},                            //
         {kReady, kNoSuit},        {kReady, kRefused},                             //
         {kReady, kCountdown},     {kReady, kRecording},                           // without a countdown

@@ -32,7 +32,7 @@ class RecordRun : public QObject {
     Q_OBJECT
 public:
     enum class State { kNoSuit, kReady, kRefused, kCountdown, kRecording, kSaving };
-    static std::span<const Transition<State>> transitions();
+    static std::span<const PhaseTransition<State>> transitions();
 
     explicit RecordRun(CaptureContext& capture, QObject* parent = nullptr);
 

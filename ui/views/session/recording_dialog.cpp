@@ -358,7 +358,7 @@ void RecordingDialog::refresh() {
 }
 
 void RecordingDialog::accept() {
-    if (!recording_ || isBusy() || !shared_.makeSureOfSession())
+    if (!recording_ || isBusy() || !shared_.session().makeSure())
         return;
     keep();
     DialogFrame::accept();
