@@ -30,8 +30,7 @@ protected:
         QSettings().clear();
         suit_ = std::make_unique<LiveSuit>(
             jobs_, session_,
-            LiveSuit::Surroundings{"test", [] { return std::string("2026-01-01T00:00:00Z"); },
-                                   [this] { return home(); }});
+            LiveSuit::Surroundings{"test", [] { return std::string("2026-01-01T00:00:00Z"); }});
     }
 
     QString home() const { return QString::fromStdString(folder_.file("sessions")); }
@@ -56,7 +55,7 @@ protected:
 
     const noctule::test::Folder folder_;
     Jobs jobs_;
-    SessionModel session_{jobs_};
+    SessionModel session_{jobs_, [this] { return home(); }};
     std::unique_ptr<LiveSuit> suit_;
 };
 

@@ -29,8 +29,7 @@ protected:
         QSettings().clear();
         suits_ = std::make_unique<LiveSuits>(
             jobs_, session_,
-            LiveSuit::Surroundings{"test", [] { return std::string("2026-01-01T00:00:00Z"); },
-                                   [this] { return QString::fromStdString(folder_.file("sessions")); }},
+            LiveSuit::Surroundings{"test", [] { return std::string("2026-01-01T00:00:00Z"); }},
             LiveSuits::Folders{[this] { return QString::fromStdString(folder_.path().string()); },
                                QString::fromStdString(folder_.file("suits"))});
     }
@@ -68,7 +67,7 @@ protected:
 
     const noctule::test::Folder folder_;
     Jobs jobs_;
-    SessionModel session_{jobs_};
+    SessionModel session_{jobs_, [this] { return QString::fromStdString(folder_.file("sessions")); }};
     std::unique_ptr<TestBox> ann_ = makeBox("NB-000001", 40000), bob_ = makeBox("NB-000002", 48000);
     std::unique_ptr<LiveSuits> suits_;
 };

@@ -33,7 +33,7 @@ protected:
     const Performer& performer() const { return model_.session().performers.at(0); }
 
     Jobs jobs_;
-    SessionModel model_{jobs_};
+    SessionModel model_{jobs_, [this] { return QString::fromStdString(folder().parent_path().string()); }};
 };
 
 TEST_F(SessionModelTest, OpensWithTheNewestTakeCurrent) {
