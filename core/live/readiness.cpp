@@ -45,17 +45,26 @@ void joinAlike(Readiness& readiness, int ReadinessProblem::*part, int parts) {
     }
 }
 
-/// What most boards do not deliver cannot tell what they hear: silent sources then follow from it.
-void forgetConsequences(Readiness& readiness) {
-    const bool stream_is_poor = std::ranges::any_of(readiness.problems, [](const ReadinessProblem& problem) {
-        return !problem.alike.empty() &&
-               (problem.kind == ProblemKind::kBoardSilent || problem.kind == ProblemKind::kBoardUnreadable ||
-                problem.kind == ProblemKind::kBoardLosesFrames);
-    });
+/// What most boards do not deliver cannot tell what they hear: silent sources then follow from it, and
+/// without any source it hinders. That no board hears a source follows from silent sources.
+void forgetConsequences(Readiness& readiness, int source_count) {
+    const bool no_source = source_count > 0 && readiness.sources_heard == 0;
+    bool stream_is_poor = false;
+    for (ReadinessProblem& problem : readiness.problems) {
+        const bool of_stream = !problem.alike.empty() && (problem.kind == ProblemKind::kBoardSilent ||
+                                                          problem.kind == ProblemKind::kBoardUnreadable ||
+                                                          problem.kind == ProblemKind::kBoardLosesFrames);
+        stream_is_poor = stream_is_poor || of_stream;
+        problem.hinders = problem.hinders || (of_stream && no_source);
+    }
     if (stream_is_poor)
         std::erase_if(readiness.problems, [](const ReadinessProblem& problem) {
             return problem.kind == ProblemKind::kSourceSilent || problem.kind == ProblemKind::kSourceFaint ||
                    problem.kind == ProblemKind::kBoardDeaf;
+        });
+    if (no_source)
+        std::erase_if(readiness.problems, [](const ReadinessProblem& problem) {
+            return problem.kind == ProblemKind::kBoardDeaf;
         });
 }
 
@@ -175,22 +184,25 @@ void ReadinessJudge::judgeBoard(const ReadinessFacts& facts, int board, Readines
 }
 
 void ReadinessJudge::judgeSources(const HealthReport& health, Readiness& readiness) const {
+    if (std::ranges::all_of(health.boards, &BoardHealth::silent))
+        return;
     const auto is_clear = [this](int source) {
         return secondsSince(source_clear_at_[static_cast<size_t>(source)]) <= limits_.source_unheard_s;
     };
+    const auto is_heard = [this](int source) {
+        return secondsSince(source_heard_at_[static_cast<size_t>(source)]) <= limits_.source_unheard_s;
+    };
     int clear = 0;
-    for (int source = 0; source < source_count_; ++source)
+    for (int source = 0; source < source_count_; ++source) {
         clear += is_clear(source);
-    const bool anybody_listens =
-        std::ranges::any_of(health.boards, [](const BoardHealth& board) { return !board.silent; });
-    for (int source = 0; source < source_count_ && anybody_listens; ++source) {
+        readiness.sources_heard += is_heard(source);
+    }
+    const bool none = readiness.sources_heard == 0;  // then nothing is known of distances
+    for (int source = 0; source < source_count_; ++source) {
         const auto index = static_cast<size_t>(source);
-        if (secondsSince(source_heard_at_[index]) > limits_.source_unheard_s) {
-            addProblem(readiness, ProblemKind::kSourceSilent, false, 0, -1, source);
-            continue;
-        }
-        ++readiness.sources_heard;
-        if (!is_clear(source) && 2 * clear >= source_count_)
+        if (!is_heard(source))
+            addProblem(readiness, ProblemKind::kSourceSilent, none, 0, -1, source);
+        else if (!is_clear(source) && 2 * clear >= source_count_)
             addProblem(readiness, ProblemKind::kSourceFaint, false, readiness.source_good_pairs[index], -1,
                        source);
     }
@@ -240,7 +252,7 @@ Readiness ReadinessJudge::judge(const ReadinessFacts& facts) {
     judgeSupplies(facts, readiness);
     joinAlike(readiness, &ReadinessProblem::board, board_count_);
     joinAlike(readiness, &ReadinessProblem::source, source_count_);
-    forgetConsequences(readiness);
+    forgetConsequences(readiness, source_count_);
     judgeFit(facts, readiness);
     if (!facts.is_assigned)
         addProblem(readiness, ProblemKind::kNotAssigned, false);

@@ -236,6 +236,16 @@ Status addQuality(const Take& take, const DerivedRun& run, const RunSettings& se
             return boards.error();
         data.boards = std::move(*boards);
     }
+    const auto gaps = take.gaps();
+    if (!gaps)
+        return gaps.error();
+    const auto takeTime_s = [&](int64_t sample) {
+        return take.suitClock().takeTime_s(static_cast<double>(sample) / data.take.sample_rate_hz);
+    };
+    for (const GapRow& gap : *gaps)
+        if (!gap.board)
+            data.gaps_s.emplace_back(takeTime_s(gap.first_sample),
+                                     takeTime_s(gap.first_sample + gap.sample_count));
     job.progress(0.5, "Counting pulses");
     LineOfSight sight(parts->suit, parts->calibration, parts->actor);
     auto pairs = pairQuality(take, parts->suit, settings.range_run, &*motion, &sight, job);
@@ -250,8 +260,8 @@ Status addQuality(const Take& take, const DerivedRun& run, const RunSettings& se
                                   ? 0
                                   : 1 - static_cast<double>(board.frames_lost) /
                                             static_cast<double>(board.frames_expected));
-    data.support =
-        jointSupport(parts->actor.skeleton, parts->suit, data.pairs, board_share, data.take.duration_s);
+    data.support = jointSupport(parts->actor.skeleton, parts->suit, data.pairs, board_share,
+                                data.take.duration_s, data.take.rest_s);
     return Done{};
 }
 

@@ -7,6 +7,8 @@
 namespace noctule {
 namespace {
 
+constexpr double kStep_s = 0.032;
+
 /// Joint and all its ancestors; empty for -1.
 std::set<int> chainOf(const Skeleton& skeleton, int joint) {
     std::set<int> chain;
@@ -31,11 +33,31 @@ void cover(Covered& covered, const ReportPair& pair, double hold_s) {
     for (const PulseAtBoard& pulse : pair.pulses) {
         if (pulse.fate != PulseFate::kUsed || !(pulse.time_s >= 0))
             continue;
-        const auto first = static_cast<size_t>(pulse.time_s / kCoverageStep_s);
+        const auto first = static_cast<size_t>(pulse.time_s / kStep_s);
         const auto last =
-            std::min(covered.size(), static_cast<size_t>((pulse.time_s + hold_s) / kCoverageStep_s) + 1);
+            std::min(covered.size(), static_cast<size_t>((pulse.time_s + hold_s) / kStep_s) + 1);
         for (size_t i = first; i < last; ++i)
             covered[i] = true;
+    }
+}
+
+/// Finds the time after the rest that parts the take into a backed and an unbacked half most clearly.
+void findLoss(const Covered& covered, double rest_s, JointSupport& support) {
+    const auto begin = static_cast<size_t>(std::max(0.0, rest_s) / kStep_s);
+    const auto least = static_cast<size_t>(kLeastHalf_s / kStep_s);
+    if (covered.size() < begin + 2 * least)
+        return;
+    const auto total = std::count(covered.begin() + static_cast<std::ptrdiff_t>(begin), covered.end(), true);
+    int64_t before = 0;
+    for (size_t i = begin; i + least <= covered.size(); before += covered[i++]) {
+        if (i < begin + least)
+            continue;
+        const double share = static_cast<double>(before) / static_cast<double>(i - begin);
+        const double rest = static_cast<double>(total - before) / static_cast<double>(covered.size() - i);
+        if (share < kBackedBefore || rest > kBackedAfter || share - rest <= support.lost_share)
+            continue;
+        support.lost_share = share - rest;
+        support.lost_from_s = static_cast<double>(i) * kStep_s;
     }
 }
 
@@ -49,9 +71,9 @@ double shareOf(const Covered& covered) {
 std::vector<JointSupport> jointSupport(const Skeleton& skeleton, const Suit& suit,
                                        const std::vector<ReportPair>& pairs,
                                        const std::vector<double>& board_share, double duration_s,
-                                       double hold_s) {
+                                       double rest_s, double hold_s) {
     require(board_share.size() == suit.boards.size(), "every board has a share");
-    const auto steps = static_cast<size_t>(std::max(0.0, duration_s) / kCoverageStep_s);
+    const auto steps = static_cast<size_t>(std::max(0.0, duration_s) / kStep_s);
     std::vector<Covered> covered(skeleton.joints().size(), Covered(steps));
     for (const ReportPair& pair : pairs) {
         const Board& board = suit.boards.at(static_cast<size_t>(pair.board));
@@ -69,23 +91,10 @@ std::vector<JointSupport> jointSupport(const Skeleton& skeleton, const Suit& sui
             if (chainOf(skeleton, skeleton.find(suit.boards[b].segment)).contains(j))
                 readings = std::max(readings, board_share[b]);
         const double ranges = shareOf(covered[static_cast<size_t>(j)]);
-        support.push_back({skeleton.joint(j).name, ranges, readings * (1 - ranges)});
+        support.push_back({skeleton.joint(j).name, ranges, readings * (1 - ranges), {}, 0});
+        findLoss(covered[static_cast<size_t>(j)], rest_s, support.back());
     }
     return support;
-}
-
-std::vector<bool> rangeCoverage(const Skeleton& skeleton, const Suit& suit,
-                                const std::vector<ReportPair>& pairs, int joint, double duration_s,
-                                double hold_s) {
-    Covered covered(static_cast<size_t>(std::max(0.0, duration_s) / kCoverageStep_s));
-    for (const ReportPair& pair : pairs) {
-        const int board = skeleton.find(suit.boards.at(static_cast<size_t>(pair.board)).segment);
-        const int source = skeleton.find(suit.sources.at(static_cast<size_t>(pair.source)).segment);
-        const std::vector<int> between = jointsBetween(skeleton, board, source);
-        if (std::find(between.begin(), between.end(), joint) != between.end())
-            cover(covered, pair, hold_s);
-    }
-    return covered;
 }
 
 }  // namespace noctule

@@ -86,6 +86,9 @@ struct JointSupport {
     std::string joint;
     double ranges = 0;   ///< a used range constrained it a moment ago
     double inertia = 0;  ///< not so, but a board on its segment or beyond delivered readings
+    /// When ranges stopped backing it, though they had until then; empty: they did not stop.
+    std::optional<double> lost_from_s;
+    double lost_share = 0;  ///< by how much the share with ranges fell there, 0..1
     double alone() const { return std::max(0.0, 1 - ranges - inertia); }  ///< predicted by the model only
 };
 
@@ -98,7 +101,8 @@ struct ReportData {
     std::vector<std::pair<int, int>>
         chosen_pairs;  ///< source, board for the curves; empty: chosen by segment
     std::vector<JointSupport> support;
-    CalibrationLack lack;  ///< of what the shown run was made with
+    std::vector<std::pair<double, double>> gaps_s;  ///< without any signal; may overlap
+    CalibrationLack lack;                           ///< of what the shown run was made with
     std::vector<std::pair<std::string, NamedValues>>
         provenance;                     ///< headed lists: calibration, versions, ...
     std::vector<std::string> warnings;  ///< whole sentences found while reading or processing

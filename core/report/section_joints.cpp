@@ -6,7 +6,7 @@
 #include "core/report/html.h"
 #include "core/report/sections.h"
 #include "core/report/svg_plot.h"
-#include "core/report/verdict.h"
+#include "core/report/take_verdict.h"
 
 namespace noctule {
 namespace {
@@ -15,7 +15,7 @@ constexpr const char* kAngleNames[] = {"Z", "X", "Y"};  // the order of joint_an
 
 html::Row jointRow(const JointComparison& joint, double scale_deg) {
     const AngleStatistics& a = joint.angle;
-    const bool look = a.mean_deg > kGoodJoint_deg;
+    const bool look = a.mean_deg > VerdictLimits{}.good_joint_deg;
     const std::string words = text::jointLabel(joint.name) + ", mean " + text::degrees(a.mean_deg);
     return {
         {text::escaped(text::jointLabel(joint.name)) +

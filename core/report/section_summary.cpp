@@ -6,6 +6,7 @@
 #include "core/report/range_statistics.h"
 #include "core/report/sections.h"
 #include "core/report/svg_plot.h"
+#include "core/report/take_verdict.h"
 #include "core/report/verdict.h"
 
 namespace noctule {
@@ -45,12 +46,20 @@ std::string explanation(const ReportData& data, const ReportRun* run) {
     std::string words = "Run " + run->name + ": sensors " + sensorsLabel(run->sensors) + ", estimator " +
                         run->estimator + ", smoothing " + run->smoother + ", root " +
                         (run->root_given ? "given by another system" : "free") + ". ";
+    constexpr VerdictLimits kLimits;
     if (run->comparison)
         words += "Compared over " + text::clock(run->comparison->duration_s) + " in " +
                  text::plural(run->comparison->frames, "frame", "frames") + " after " +
                  text::number(data.take.rest_s, 0) + " s of rest. Good: mean under " +
-                 text::degrees(kGoodMean_deg, 0) + " and no joint over " + text::degrees(kGoodJoint_deg, 0) +
-                 "; usable: mean under " + text::degrees(kUsableMean_deg, 0) + ".";
+                 text::degrees(kLimits.good_mean_deg, 0) + " and no joint over " +
+                 text::degrees(kLimits.good_joint_deg, 0) + "; usable: mean under " +
+                 text::degrees(kLimits.usable_mean_deg, 0) + ".";
+    else
+        words += "Judged by what the angles rest on. Good: ranges back the joints " +
+                 text::percent(kLimits.good_backed) + " of the time and fit the pose within " +
+                 text::number(1000 * kLimits.good_residual_m, 0) +
+                 " mm; usable: " + text::percent(kLimits.usable_backed) + " and " +
+                 text::number(1000 * kLimits.usable_residual_m, 0) + " mm.";
     return words;
 }
 

@@ -6,6 +6,7 @@
 #include "core/body/text.h"
 #include "core/report/range_statistics.h"
 #include "core/report/sections.h"
+#include "core/report/take_verdict.h"
 
 namespace noctule {
 namespace {
@@ -18,25 +19,73 @@ std::string referenceName(const ReportTake& take) {
     return "the " + take.reference_kind + " reference";
 }
 
-void lower(Verdict& verdict, Grade grade) {
-    verdict.grade = std::max(verdict.grade, grade);
+constexpr const char* kDrift =
+    "Without ranges a joint follows its gyroscope, which drifts by 1 to 3° a minute.";
+
+/// "Left shoulder (LeftArm)": as people say it, and as tables and exports have it.
+std::string bothNames(const std::string& joint) {
+    const std::string label = text::jointLabel(joint);
+    return label == joint ? label : label + " (" + joint + ")";
 }
 
-void judgeJoints(const Comparison& comparison, Verdict& verdict) {
-    std::vector<const JointComparison*> bad;
-    for (const JointComparison& joint : comparison.joints)
-        if (joint.angle.mean_deg > kGoodJoint_deg)
-            bad.push_back(&joint);
-    if (bad.empty())
-        return;
-    lower(verdict, Grade::kUsable);
-    const auto worst = *std::max_element(bad.begin(), bad.end(), [](const auto* a, const auto* b) {
-        return a->angle.mean_deg < b->angle.mean_deg;
-    });
-    verdict.reasons.push_back(text::plural(static_cast<int64_t>(bad.size()), "joint is", "joints are") +
-                              " more than " + text::degrees(kGoodJoint_deg, 0) + " off on average, worst " +
-                              text::jointLabel(worst->name) + " with " +
-                              text::degrees(worst->angle.mean_deg) + ".");
+std::string jointSentence(const Comparison& comparison, const std::string& worst) {
+    const double limit_deg = VerdictLimits{}.good_joint_deg;
+    const auto bad = std::ranges::count_if(
+        comparison.joints, [&](const JointComparison& joint) { return joint.angle.mean_deg > limit_deg; });
+    return text::plural(bad, "joint is", "joints are") + " more than " + text::degrees(limit_deg, 0) +
+           " off on average, worst " + bothNames(worst) + " with " +
+           text::degrees(comparison.find(worst)->angle.mean_deg) + ".";
+}
+
+std::string supportSentence(const ReportData& data, const TakeVerdict& judged) {
+    if (judged.worst_from_s)
+        return bothNames(judged.worst_joint) + " is less certain from " +
+               text::clock(*judged.worst_from_s) + " on: ranges stopped backing it. " + kDrift;
+    if (data.sources.empty())
+        return "The suit has no sources. How far its joints drift is not known without a reference.";
+    if (judged.backed_share <= 0)
+        return std::string("No joint was backed by ranges. ") + kDrift;
+    const auto alone = std::ranges::max_element(data.support, {}, &JointSupport::alone);
+    if (alone->alone() > VerdictLimits{}.good_alone)
+        return bothNames(alone->joint) + " was told by no sensor for " +
+               text::percent(alone->alone()) + " of the time.";
+    return "Ranges backed the joints only " + text::percent(judged.backed_share) + " of the time. " + kDrift;
+}
+
+std::string residualSentence(const ReportData& data, const TakeVerdict& judged) {
+    const auto millimetres = [](double value_m) { return text::number(1000 * value_m, 0) + " mm"; };
+    if (!judged.astray)
+        return "A third of the ranges miss the pose by more than " +
+               millimetres(judged.residual_spread_m.value_or(0)) +
+               ": a board or a source sits elsewhere than its calibration says, or the source offsets are "
+               "another box's.";
+    const VerdictPart& part = *judged.astray;
+    return text::capitalised(part.is_source ? sourceLabel(data, part.index) : boardLabel(data, part.index)) +
+           ": half of its ranges miss the pose by more than " + millimetres(part.median_m) +
+           ". It sits or points elsewhere than when it was calibrated.";
+}
+
+/// Empty: the headline or a note says it.
+std::string reasonSentence(VerdictReason reason, const ReportData& data, const ReportRun& run,
+                           const TakeVerdict& judged) {
+    switch (reason) {
+        case VerdictReason::kJointError:
+            return jointSentence(*run.comparison, judged.worst_joint);
+        case VerdictReason::kSupport:
+            return supportSentence(data, judged);
+        case VerdictReason::kResidual:
+            return residualSentence(data, judged);
+        case VerdictReason::kHole:
+            return "No signal for " + text::number(judged.longest_hole_s, 2) +
+                   " s in one piece: the pose is a guess there.";
+        case VerdictReason::kNone:
+        case VerdictReason::kMeanError:
+        case VerdictReason::kBoardLost:
+        case VerdictReason::kNoPoses:
+        case VerdictReason::kNotCalibrated:
+            break;
+    }
+    return {};
 }
 
 void judgeConsistency(const Comparison& comparison, Verdict& verdict) {
@@ -57,14 +106,17 @@ void judgeConsistency(const Comparison& comparison, Verdict& verdict) {
 void judgeBoards(const ReportData& data, Verdict& verdict) {
     for (size_t i = 0; i < data.boards.size(); ++i) {
         const ReportBoard& board = data.boards[i];
-        if (board.readings_expected <= 0)
-            continue;
-        const double share =
-            static_cast<double>(board.readings_present) / static_cast<double>(board.readings_expected);
         const std::string name = text::capitalised(boardLabel(data, static_cast<int>(i))) + " ";
-        if (share < kUsableReadings)
-            lower(verdict, Grade::kUsable);
-        if (share < kGoodReadings)
+        const double share = board.readings_expected <= 0 ? 1
+                                                          : static_cast<double>(board.readings_present) /
+                                                                static_cast<double>(board.readings_expected);
+        const double lost = board.frames_expected <= 0 ? 0
+                                                       : static_cast<double>(board.frames_lost) /
+                                                             static_cast<double>(board.frames_expected);
+        if (lost > VerdictLimits{}.good_lost)
+            verdict.reasons.push_back(name + "lost " + text::percent(lost) +
+                                      " of its frames. Check its plug and cable.");
+        else if (share < kGoodReadings)
             verdict.reasons.push_back(name + "delivered " + text::percent(share) +
                                       " of its readings. Check its plug and cable.");
         if (board.clipped_gyro + board.clipped_accel > 0)
@@ -93,35 +145,32 @@ std::string gradeName(Grade grade) {
 }
 
 Verdict judge(const ReportData& data) {
-    Verdict verdict{Grade::kGood, {}, {}};
     const ReportRun* run = data.shownRun();
-    const Comparison* comparison = run && run->comparison ? &*run->comparison : nullptr;
-    if (comparison) {
-        if (!(comparison->mean_deg <= kGoodMean_deg))
-            lower(verdict, comparison->mean_deg <= kUsableMean_deg ? Grade::kUsable : Grade::kNotUsable);
-        judgeJoints(*comparison, verdict);
-        judgeConsistency(*comparison, verdict);
-    }
-    const Grade calibrated = run ? gradeOf(data.lack, run->sensors) : Grade::kGood;
-    if (calibrated != Grade::kGood)
+    if (!run)
+        return {Grade::kUnknown, "Not processed yet. The take holds no run to judge.", data.warnings};
+    const TakeVerdict judged = judgeTake(data);
+    Verdict verdict{judged.grade, {}, {}};
+    const bool is_uncalibrated =
+        judged.grade == Grade::kNotUsable && judged.reasons.front() == VerdictReason::kNotCalibrated;
+    if (run->comparison)
+        verdict.headline = gradeName(verdict.grade) + ". Mean joint error " +
+                           text::degrees(run->comparison->mean_deg) + " against " + referenceName(data.take) +
+                           ".";
+    else if (is_uncalibrated)
+        verdict.headline = gradeName(verdict.grade) + ": " + lackClause(data.lack);
+    else
+        verdict.headline =
+            gradeName(verdict.grade) + ". Without a reference the error of this take is not known.";
+    for (const VerdictReason reason : judged.reasons)
+        if (std::string sentence = reasonSentence(reason, data, *run, judged); !sentence.empty())
+            verdict.reasons.push_back(std::move(sentence));
+    if (run->comparison)
+        judgeConsistency(*run->comparison, verdict);
+    if (!is_uncalibrated && gradeOf(data.lack, run->sensors) != Grade::kGood)
         verdict.reasons.push_back(lackSentence(data.lack));
     judgeRanges(data, verdict);
     judgeBoards(data, verdict);
     verdict.reasons.insert(verdict.reasons.end(), data.warnings.begin(), data.warnings.end());
-    if (!comparison && calibrated == Grade::kNotUsable) {
-        verdict.grade = calibrated;
-        verdict.headline = gradeName(calibrated) + ": " + lackClause(data.lack);
-        verdict.reasons.erase(verdict.reasons.begin());
-        return verdict;
-    }
-    if (!comparison) {
-        verdict.grade = Grade::kUnknown;
-        verdict.headline = run ? "Not judged. Without a reference the error of this take is not known."
-                               : "Not processed yet. The take holds no run to judge.";
-        return verdict;
-    }
-    verdict.headline = gradeName(verdict.grade) + ". Mean joint error " +
-                       text::degrees(comparison->mean_deg) + " against " + referenceName(data.take) + ".";
     return verdict;
 }
 

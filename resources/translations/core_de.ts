@@ -5771,6 +5771,10 @@
         <translation>%1 Bilder ließen sich nicht vergleichen, weil die Referenz keines in ihrer Nähe hat.</translation>
     </message>
     <message>
+        <source>%1 is less certain from %2 on: ranges stopped backing it. %3</source>
+        <translation>%1 ist ab %2 weniger sicher: Entfernungen stützten es nicht mehr. %3</translation>
+    </message>
+    <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
     </message>
@@ -5795,6 +5799,10 @@
         <translation>%1 s Bewegung</translation>
     </message>
     <message>
+        <source>%1 was told by no sensor for %2 of the time.</source>
+        <translation>%1 wurde %2 der Zeit von keinem Sensor erfasst.</translation>
+    </message>
+    <message>
         <source>%1, angle</source>
         <translation>%1, Winkel</translation>
     </message>
@@ -5815,12 +5823,24 @@
         <translation>%1. Mittlerer Gelenkfehler %2 gegen %3.</translation>
     </message>
     <message>
+        <source>%1. Without a reference the error of this take is not known.</source>
+        <translation>%1. Ohne Referenz ist der Fehler dieser Aufnahme nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>%1: half of its ranges miss the pose by more than %2. It sits or points elsewhere than when it was calibrated.</source>
+        <translation>%1: Die Hälfte der Entfernungen verfehlt die Pose um mehr als %2. Sie sitzt oder zeigt anders als bei der Kalibrierung.</translation>
+    </message>
+    <message>
         <source>%1: mean %2, %3 ranges used, %4 rejected, %5</source>
         <translation>%1: im Mittel %2, %3 Entfernungen benutzt, %4 verworfen, %5</translation>
     </message>
     <message>
         <source>%1delivered %2 of its readings. Check its plug and cable.</source>
         <translation>%1lieferte %2 ihrer Messwerte. Stecker und Kabel prüfen.</translation>
+    </message>
+    <message>
+        <source>%1lost %2 of its frames. Check its plug and cable.</source>
+        <translation>%1verlor %2 ihrer Rahmen. Stecker und Kabel prüfen.</translation>
     </message>
     <message>
         <source>%1was clipped in %2: the motion was faster than its range.</source>
@@ -5841,6 +5861,10 @@
     <message>
         <source>A joint is backed by ranges in a frame when, a moment before, a range in use lay across it. Otherwise it goes on by its boards' inertia, and without these by the model.</source>
         <translation>Ein Gelenk ist in einem Bild von Entfernungen gestützt, wenn einen Augenblick zuvor eine verwendete Entfernung über ihm lag. Sonst läuft es mit der Trägheit seiner Platinen weiter und ohne diese mit dem Modell.</translation>
+    </message>
+    <message>
+        <source>A third of the ranges miss the pose by more than %1: a board or a source sits elsewhere than its calibration says, or the source offsets are another box's.</source>
+        <translation>Ein Drittel der Entfernungen verfehlt die Pose um mehr als %1: Eine Platine oder Quelle sitzt anders, als ihre Kalibrierung sagt, oder die Quellenversätze gehören zu einer anderen Box.</translation>
     </message>
     <message>
         <source>AGD</source>
@@ -6163,6 +6187,10 @@
         <translation>Gelenke</translation>
     </message>
     <message>
+        <source>Judged by what the angles rest on. Good: ranges back the joints %1 of the time and fit the pose within %2 mm; usable: %3 and %4 mm.</source>
+        <translation>Beurteilt danach, worauf die Winkel beruhen. Gut: Entfernungen stützen die Gelenke %1 der Zeit und passen auf %2 mm zur Pose; brauchbar: %3 und %4 mm.</translation>
+    </message>
+    <message>
         <source>Largest</source>
         <translation>Größter</translation>
     </message>
@@ -6295,16 +6323,24 @@
         <translation>Hals °</translation>
     </message>
     <message>
+        <source>No joint was backed by ranges.</source>
+        <translation>Kein Gelenk wurde von Entfernungen gestützt.</translation>
+    </message>
+    <message>
+        <source>No joint was backed by ranges. %1</source>
+        <translation>Kein Gelenk wurde von Entfernungen gestützt. %1</translation>
+    </message>
+    <message>
         <source>No run of this take has been compared: it has no reference, or was not processed yet.</source>
         <translation>Kein Ergebnis dieser Aufnahme wurde verglichen: sie hat keine Referenz oder ist noch nicht verarbeitet.</translation>
     </message>
     <message>
-        <source>None of the magnetometers could be calibrated</source>
-        <translation>Keines der Magnetometer konnte kalibriert werden</translation>
+        <source>No signal for %1 s in one piece: the pose is a guess there.</source>
+        <translation>%1 s am Stück ohne Signal: Die Pose ist dort geraten.</translation>
     </message>
     <message>
-        <source>Not judged. Without a reference the error of this take is not known.</source>
-        <translation>Nicht beurteilt. Ohne Referenz ist der Fehler dieser Aufnahme nicht bekannt.</translation>
+        <source>None of the magnetometers could be calibrated</source>
+        <translation>Keines der Magnetometer konnte kalibriert werden</translation>
     </message>
     <message>
         <source>Not processed yet. The take holds no run to judge.</source>
@@ -6393,6 +6429,10 @@
     <message>
         <source>Ranges</source>
         <translation>Entfernungen</translation>
+    </message>
+    <message>
+        <source>Ranges backed the joints only %1 of the time. %2</source>
+        <translation>Entfernungen stützten die Gelenke nur %1 der Zeit. %2</translation>
     </message>
     <message>
         <source>Readings present</source>
@@ -6607,6 +6647,10 @@
         <translation>Das gezeigte Ergebnis verwendete keine Entfernungen: jedes Gelenk beruhte allein auf Trägheit, und nichts hielt die Winkel zwischen Gliedern über lange Zeit.</translation>
     </message>
     <message>
+        <source>The suit has no sources. How far its joints drift is not known without a reference.</source>
+        <translation>Der Anzug hat keine Quellen. Wie weit seine Gelenke driften, ist ohne Referenz nicht bekannt.</translation>
+    </message>
+    <message>
         <source>The take describes no boards.</source>
         <translation>Die Aufnahme beschreibt keine Platinen.</translation>
     </message>
@@ -6685,6 +6729,10 @@
     <message>
         <source>Without accelerometers nothing holds the tilt of the root.</source>
         <translation>Ohne Beschleunigungssensoren hält nichts die Neigung der Wurzel.</translation>
+    </message>
+    <message>
+        <source>Without ranges a joint follows its gyroscope, which drifts by 1 to 3° a minute.</source>
+        <translation>Ohne Entfernungen folgt ein Gelenk seinem Gyroskop, das 1 bis 3° je Minute driftet.</translation>
     </message>
     <message>
         <source>Written by</source>

@@ -4333,6 +4333,10 @@
         <source>Orientation</source>
         <translation>Lage der Sensoren</translation>
     </message>
+    <message>
+        <source>The documents are in English.</source>
+        <translation>Die Dokumente sind auf Englisch.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::HoldRing</name>
@@ -8491,6 +8495,14 @@ Median; gut: unter %1</translation>
     <message>
         <source>It may sit elsewhere than the performer page says, or point elsewhere than when it was calibrated. Check it, then reprocess.</source>
         <translation>Das Teil sitzt vielleicht anders, als die Seite der Person sagt, oder zeigt anders als beim Kalibrieren. Prüfen Sie es und verarbeiten Sie die Aufnahme neu.</translation>
+    </message>
+    <message>
+        <source>The suit has no sources</source>
+        <translation>Der Anzug hat keine Quellen</translation>
+    </message>
+    <message>
+        <source>How far its joints drift is not known without a reference.</source>
+        <translation>Wie weit seine Gelenke driften, ist ohne Referenz nicht bekannt.</translation>
     </message>
 </context>
 <context>

@@ -11,9 +11,9 @@
 
 #include "core/motion/foot_contacts.h"
 #include "core/processing/evaluate_take.h"
+#include "core/report/take_verdict.h"
 #include "core/review/joint_curves.h"
 #include "core/review/plot_series.h"
-#include "core/review/take_verdict.h"
 
 namespace noctule {
 namespace {
@@ -104,7 +104,7 @@ void judged(benchmark::State& state) {
     request.take_path = takePath();
     for (auto _ : state) {
         const auto report = evaluateTake(request, {});
-        benchmark::DoNotOptimize(judgeTake(*report, *take));
+        benchmark::DoNotOptimize(judgeTake(*report));
     }
 }
 

@@ -12,6 +12,7 @@
 #include "ui/style/theme.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
+#include "ui/widgets/label.h"
 
 namespace noctule::ui {
 namespace {
@@ -98,6 +99,8 @@ HelpWindow::HelpWindow(QWidget* parent)
     auto* row = addRow(outer, 8);
     Button* back = makeButton(ButtonKind::kText, tr("Back"), "prev");
     row->addWidget(back);
+    if (QLocale().language() != QLocale::English)
+        row->addWidget(new Label(tr("The documents are in English."), TextRole::kBody, Ink::kLabel));
     row->addStretch();
     Button* close = makeButton(ButtonKind::kOutlined, tr("Close"), {}, QKeySequence("Esc"));
     row->addWidget(close);

@@ -13,11 +13,11 @@
 
 #include "core/motion/foot_contacts.h"
 #include "core/processing/evaluate_between.h"
+#include "core/report/take_verdict.h"
 #include "core/review/between_curve.h"
 #include "core/review/joint_curves.h"
 #include "core/review/plot_series.h"
 #include "core/review/take_review.h"
-#include "core/review/take_verdict.h"
 #include "ui/jobs/jobs.h"
 #include "ui/models/time_cursor.h"
 

@@ -194,7 +194,7 @@ std::shared_ptr<const TakeDocument::Judged> TakeDocument::judged() {
             auto report = evaluateTake(request, job);
             if (!report)
                 return report.error();
-            TakeVerdict verdict = judgeTake(*report, *overview);
+            TakeVerdict verdict = judgeTake(*report);
             auto between = evaluateBetween(request, overview->subjects, job);
             if (!between)
                 return between.error();

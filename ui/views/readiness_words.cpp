@@ -255,7 +255,7 @@ HindranceWords aboutMany(const ReadinessProblem& problem, const SuitCheck& check
                                   "the driver box. Push it in until it clicks."),
                 {},
                 {},
-                ReadinessText::tr("Ignore")};
+                ReadinessText::tr("Go on without them")};
     }
 }
 

@@ -65,11 +65,14 @@ ProblemWords jointProblem(const TakeVerdict& verdict) {
 }
 
 /// No joint stands out from the others.
-ProblemWords supportOfAll(const TakeVerdict& verdict) {
+ProblemWords supportOfAll(const TakeVerdict& verdict, const TakeOverview& overview) {
     const QString drift =
         Words::tr("Without ranges a joint follows its gyroscope, which drifts by 1 to 3° a minute.");
     ProblemWords words;
-    if (verdict.backed_share <= 0) {
+    if (overview.suit.sources.empty()) {
+        words.title = Words::tr("The suit has no sources");
+        words.text = Words::tr("How far its joints drift is not known without a reference.");
+    } else if (verdict.backed_share <= 0) {
         words.title = Words::tr("No joint was backed by ranges");
         words.text = drift;
     } else {
@@ -81,9 +84,9 @@ ProblemWords supportOfAll(const TakeVerdict& verdict) {
     return words;
 }
 
-ProblemWords supportProblem(const TakeVerdict& verdict) {
+ProblemWords supportProblem(const TakeVerdict& verdict, const TakeOverview& overview) {
     if (verdict.worst_joint.empty())
-        return supportOfAll(verdict);
+        return supportOfAll(verdict, overview);
     const VerdictJoint* joint = jointOf(verdict, verdict.worst_joint);
     ProblemWords words;
     words.joint = QString::fromStdString(verdict.worst_joint);
@@ -192,28 +195,29 @@ QString runTitle(const ReviewRun& run) {
     return number.isEmpty() ? words : Words::tr("%1 (%2)").arg(words, number);
 }
 
-Tone toneOf(TakeGrade grade) {
-    return grade == TakeGrade::kGood ? Tone::kOk : grade == TakeGrade::kUsable ? Tone::kWarn : Tone::kError;
+Tone toneOf(Grade grade) {
+    return grade == Grade::kGood ? Tone::kOk : grade == Grade::kUsable ? Tone::kWarn : Tone::kError;
 }
 
-QString gradeInWords(TakeGrade grade) {
+QString gradeInWords(Grade grade) {
     switch (grade) {
-        case TakeGrade::kGood:
+        case Grade::kGood:
             return Words::tr("Good take");
-        case TakeGrade::kUsable:
+        case Grade::kUsable:
             return Words::tr("Usable take");
-        case TakeGrade::kNotUsable:
+        case Grade::kNotUsable:
+        case Grade::kUnknown:
             break;
     }
     return Words::tr("Not usable");
 }
 
 QString gradeExplained(const TakeVerdict& verdict) {
-    if (verdict.grade == TakeGrade::kNotUsable)
+    if (verdict.grade == Grade::kNotUsable)
         return verdict.lack.stopsTheBody()
                    ? takeLackSentence(verdict.lack)
                    : Words::tr("Better not used as it is. Why, and what may help, is told below.");
-    if (verdict.grade == TakeGrade::kUsable)
+    if (verdict.grade == Grade::kUsable)
         return Words::tr("Good enough to work with. What to look at first is told below.");
     if (verdict.mean_error_deg)
         return Words::tr("It follows the reference from start to end.");
@@ -242,7 +246,7 @@ std::vector<ProblemWords> problemsInWords(const TakeVerdict& verdict, const Take
                 words = jointProblem(verdict);
                 break;
             case VerdictReason::kSupport:
-                words = supportProblem(verdict);
+                words = supportProblem(verdict, overview);
                 break;
             case VerdictReason::kNotCalibrated:
                 words = lackProblem(verdict);
@@ -267,7 +271,7 @@ std::vector<ProblemWords> problemsInWords(const TakeVerdict& verdict, const Take
                     "whether the take holds sound at all.");
                 break;
         }
-        words.tone = verdict.grade == TakeGrade::kNotUsable && problems.empty() ? Tone::kError : Tone::kWarn;
+        words.tone = verdict.grade == Grade::kNotUsable && problems.empty() ? Tone::kError : Tone::kWarn;
         problems.push_back(words);
     }
     return problems;

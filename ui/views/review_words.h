@@ -4,8 +4,8 @@
 
 #include <QString>
 
+#include "core/report/take_verdict.h"
 #include "core/review/take_review.h"
-#include "core/review/take_verdict.h"
 #include "ui/style/ink.h"
 
 namespace noctule::ui {
@@ -15,9 +15,9 @@ QString runInWords(const RunSettings& settings);
 /// The name that the operator gave it, else what it was made from; a second one of a kind has its number.
 QString runTitle(const ReviewRun& run);
 
-Tone toneOf(TakeGrade grade);
-/// "Good take"
-QString gradeInWords(TakeGrade grade);
+Tone toneOf(Grade grade);
+/// "Good take". kUnknown is never asked for: what is judged has a run, or is not usable.
+QString gradeInWords(Grade grade);
 /// One or two sentences below the grade.
 QString gradeExplained(const TakeVerdict& verdict);
 

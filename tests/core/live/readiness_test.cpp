@@ -132,6 +132,20 @@ TEST_F(ReadinessTest, ASourceThatNobodyHearsForSecondsIsSilentAndAMuffledOneFain
     EXPECT_TRUE(only(judge(health)).accepted);
 }
 
+TEST_F(ReadinessTest, WithoutAnySourceItIsNotReady) {
+    judge(wellAt(3));
+    HealthReport health = wellAt(20);
+    for (PairHealth& unheard : health.pairs)
+        unheard = {};
+    const Readiness readiness = judge(health);
+    const ReadinessProblem problem = only(readiness);
+    EXPECT_EQ(problem.kind, ProblemKind::kSourceSilent);
+    EXPECT_EQ(problem.alike, (std::vector{0, 1, 2})) << "that no board hears one follows from it";
+    EXPECT_EQ(readiness.verdict, Readiness::Verdict::kNotReady);
+    facts_.without_sources = {0, 1, 2};
+    EXPECT_EQ(judge(health).verdict, Readiness::Verdict::kReady) << "the operator goes on without them";
+}
+
 TEST_F(ReadinessTest, ABoardMayHearNothingForAWhile) {
     judge(wellAt(3));
     HealthReport health = wellAt(8);
@@ -201,6 +215,8 @@ TEST_F(ReadinessTest, WhatBefallsMostBoardsAlikeIsOneProblem) {
         unheard = {};
     health.sample = 9 * kJudgedRate_hz;
     EXPECT_EQ(judge(health).problems.size(), 1U) << "sources that are not heard follow from it";
+    facts_.without_boards.clear();
+    EXPECT_EQ(judge(health).verdict, Readiness::Verdict::kNotReady) << "no source is heard";
     health.pairs = wellAt(3).pairs;
     health.boards[0].frames_per_s = health.boards[1].frames_per_s = 140;
     EXPECT_EQ(judge(health).problems.size(), 2U) << "half of them each have their own card";

@@ -135,7 +135,7 @@ inline ReportData madeReport(double seconds) {
             if (s != 3 || b != 5)
                 data.pairs.push_back(madePair(s, b, seconds));
     for (const JointComparison& joint : data.runs.back().comparison->joints)
-        data.support.push_back({joint.name, joint.name.starts_with("Right") ? 0.83 : 0.97, 0.02});
+        data.support.push_back({joint.name, joint.name.starts_with("Right") ? 0.83 : 0.97, 0.02, {}, 0});
     data.provenance = {
         {"Calibration", {{"Source offsets", "2026-11-18, 0.9 mm"}, {"Speed of sound", "345.5 m/s"}}}};
     return data;

@@ -181,7 +181,7 @@ TEST_F(ReviewPageTest, AMissingCalibrationIsSaidBeforeProcessing) {
 TEST_F(ReviewPageTest, AnUncalibratedTakeIsDiagnosedAndNoTitleLacksItsName) {
     const TakeOverview& overview = *studio_->take().overview();
     TakeVerdict verdict;
-    verdict.grade = TakeGrade::kNotUsable;
+    verdict.grade = Grade::kNotUsable;
     verdict.lack = lackOf(overview.suit, Calibration{});
     verdict.reasons = {VerdictReason::kNotCalibrated};
     EXPECT_EQ(gradeInWords(verdict.grade) + ": " + gradeExplained(verdict),
@@ -191,7 +191,7 @@ TEST_F(ReviewPageTest, AnUncalibratedTakeIsDiagnosedAndNoTitleLacksItsName) {
     EXPECT_EQ(problems[0].title, "This take has no calibration");
     EXPECT_TRUE(problems[0].processes);
     verdict = {};
-    verdict.grade = TakeGrade::kUsable;
+    verdict.grade = Grade::kUsable;
     verdict.reasons = {VerdictReason::kSupport};
     EXPECT_EQ(problemsInWords(verdict, overview)[0].title, "No joint was backed by ranges");
     verdict.backed_share = 0.31;

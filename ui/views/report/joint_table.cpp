@@ -30,8 +30,8 @@ public:
                const QModelIndex& index) const override {
         const Theme& theme = Theme::get();
         const Tokens& tokens = theme.tokens();
-        const auto grade = static_cast<TakeGrade>(index.data(JointTableModel::kGrade).toInt());
-        const bool look = grade != TakeGrade::kGood;
+        const auto grade = static_cast<Grade>(index.data(JointTableModel::kGrade).toInt());
+        const bool look = grade != Grade::kGood;
         painter->save();
         if (option.state & QStyle::State_Selected)
             painter->fillRect(option.rect, tokens.sel);

@@ -6,7 +6,7 @@
 #include <QTableView>
 #include <memory>
 
-#include "core/review/take_verdict.h"
+#include "core/report/take_verdict.h"
 #include "ui/models/selection.h"
 
 class QSortFilterProxyModel;

@@ -5,7 +5,7 @@
 #include <QAbstractTableModel>
 #include <memory>
 
-#include "core/review/take_verdict.h"
+#include "core/report/take_verdict.h"
 
 namespace noctule::ui {
 

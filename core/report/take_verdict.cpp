@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/review/take_verdict.h"
+#include "core/report/take_verdict.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,23 +13,23 @@ namespace noctule {
 namespace {
 
 /// Good up to one limit, usable up to the other; what is not a number is not usable.
-TakeGrade gradeOf(double value, double good, double usable) {
+Grade gradeOf(double value, double good, double usable) {
     if (value <= good)
-        return TakeGrade::kGood;
-    return value <= usable ? TakeGrade::kUsable : TakeGrade::kNotUsable;
+        return Grade::kGood;
+    return value <= usable ? Grade::kUsable : Grade::kNotUsable;
 }
 
 class Judge {
 public:
-    Judge(const ReportData& report, const TakeOverview& overview, const VerdictLimits& limits)
-        : report_(report), overview_(overview), limits_(limits), run_(report.shownRun()) {
+    Judge(const ReportData& report, const VerdictLimits& limits)
+        : report_(report), limits_(limits), run_(report.shownRun()) {
         if (run_ && run_->comparison)
             comparison_ = &*run_->comparison;
     }
 
     TakeVerdict judge() {
         if (!run_) {
-            charge(VerdictReason::kNoPoses, TakeGrade::kNotUsable);
+            charge(VerdictReason::kNoPoses, Grade::kNotUsable);
             return sorted();
         }
         judgeError();
@@ -45,11 +45,11 @@ public:
 private:
     struct Charge {
         VerdictReason reason;
-        TakeGrade grade;
+        Grade grade;
     };
 
-    void charge(VerdictReason reason, TakeGrade grade) {
-        if (grade != TakeGrade::kGood)
+    void charge(VerdictReason reason, Grade grade) {
+        if (grade != Grade::kGood)
             charges_.push_back({reason, grade});
     }
 
@@ -75,7 +75,7 @@ private:
                                             });
         if (worst != comparison_->joints.end() && worst->angle.mean_deg > limits_.good_joint_deg) {
             verdict_.worst_joint = worst->name;
-            charge(VerdictReason::kJointError, TakeGrade::kUsable);
+            charge(VerdictReason::kJointError, Grade::kUsable);
         }
         AngleCollector yaw;
         for (size_t i = 0; i < comparison_->time_s.size(); ++i)
@@ -87,16 +87,15 @@ private:
 
     void listJoints() {
         for (const JointSupport& support : report_.support) {
-            VerdictJoint joint{support.joint, {}, {}, support.ranges, support.inertia, TakeGrade::kGood};
+            VerdictJoint joint{support.joint, {}, {}, support.ranges, support.inertia, Grade::kGood};
             if (const auto* compared = comparison_ ? comparison_->find(support.joint) : nullptr) {
                 joint.mean_deg = compared->angle.mean_deg;
                 joint.worst_deg = compared->angle.max_deg;
             }
             if (joint.mean_deg)
-                joint.grade =
-                    *joint.mean_deg <= limits_.good_joint_deg ? TakeGrade::kGood : TakeGrade::kUsable;
-            else if (joint.backed_by_ranges < limits_.backed_after)
-                joint.grade = TakeGrade::kUsable;
+                joint.grade = *joint.mean_deg <= limits_.good_joint_deg ? Grade::kGood : Grade::kUsable;
+            else if (joint.backed_by_ranges < kBackedAfter)
+                joint.grade = Grade::kUsable;
             verdict_.joints.push_back(std::move(joint));
         }
     }
@@ -109,7 +108,7 @@ private:
         if (grade == Grade::kGood || (comparison_ && charges_.empty()))
             return;
         charge(VerdictReason::kNotCalibrated,
-               is_uncalibrated_ && !comparison_ ? TakeGrade::kNotUsable : TakeGrade::kUsable);
+               is_uncalibrated_ && !comparison_ ? Grade::kNotUsable : Grade::kUsable);
     }
 
     void judgeSupport() {
@@ -123,61 +122,25 @@ private:
         verdict_.backed_share = sum / static_cast<double>(report_.support.size());
         if (comparison_ || is_uncalibrated_)
             return;
-        TakeGrade grade = gradeOf(most_alone, limits_.good_alone, limits_.usable_alone);
+        Grade grade = gradeOf(most_alone, limits_.good_alone, limits_.usable_alone);
         if (run_->sensors.find('D') == std::string::npos)
-            grade =
-                std::max(grade, TakeGrade::kUsable);  // nothing stops the drift; how far it goes is unknown
+            grade = std::max(grade, Grade::kUsable);  // nothing stops the drift; how far it goes is unknown
         else
             grade = std::max(grade,
                              gradeOf(-verdict_.backed_share, -limits_.good_backed, -limits_.usable_backed));
         if (findLessCertainJoint())
-            grade = std::max(grade, TakeGrade::kUsable);
+            grade = std::max(grade, Grade::kUsable);
         charge(VerdictReason::kSupport, grade);
     }
 
     /// The joint that ranges stopped backing most clearly.
     bool findLessCertainJoint() {
-        if (!overview_.actor)
+        const auto less = std::ranges::max_element(report_.support, {}, &JointSupport::lost_share);
+        if (less == report_.support.end() || !less->lost_from_s)
             return false;
-        double largest_drop = 0;
-        for (const JointSupport& support : report_.support) {
-            const Change change = changeOf(support.joint);
-            if (change.drop <= largest_drop)
-                continue;
-            largest_drop = change.drop;
-            verdict_.worst_joint = support.joint;
-            verdict_.worst_from_s = change.from_s;
-        }
-        return largest_drop > 0;
-    }
-
-    struct Change {
-        double drop = 0, from_s = 0;
-    };
-
-    /// The time after the rest that parts the take into a backed and an unbacked half most clearly; no drop
-    /// when there is no such time.
-    Change changeOf(const std::string& joint) const {
-        const Skeleton& skeleton = overview_.actor->skeleton;
-        const std::vector<bool> covered = rangeCoverage(skeleton, overview_.suit, report_.pairs,
-                                                        skeleton.find(joint), report_.take.duration_s);
-        const auto begin = static_cast<size_t>(std::max(0.0, report_.take.rest_s) / kCoverageStep_s);
-        const auto least = static_cast<size_t>(kLeastHalf_s / kCoverageStep_s);
-        Change change;
-        if (covered.size() < begin + 2 * least)
-            return change;
-        const auto total =
-            std::count(covered.begin() + static_cast<std::ptrdiff_t>(begin), covered.end(), true);
-        int64_t before = 0;
-        for (size_t i = begin; i + least <= covered.size(); before += covered[i++]) {
-            if (i < begin + least)
-                continue;
-            const double share = static_cast<double>(before) / static_cast<double>(i - begin);
-            const double rest = static_cast<double>(total - before) / static_cast<double>(covered.size() - i);
-            if (share >= limits_.backed_before && rest <= limits_.backed_after && share - rest > change.drop)
-                change = {share - rest, static_cast<double>(i) * kCoverageStep_s};
-        }
-        return change;
+        verdict_.worst_joint = less->joint;
+        verdict_.worst_from_s = less->lost_from_s;
+        return true;
     }
 
     void judgeResidual() {
@@ -187,9 +150,9 @@ private:
         verdict_.residual_spread_m = quantileOf(sizes_m, kOneSigma);
         if (!verdict_.residual_spread_m || comparison_ || is_uncalibrated_)
             return;
-        TakeGrade grade =
+        Grade grade =
             gradeOf(*verdict_.residual_spread_m, limits_.good_residual_m, limits_.usable_residual_m);
-        if (grade == TakeGrade::kGood) {
+        if (grade == Grade::kGood) {
             findAstray();
             if (verdict_.astray)
                 grade =
@@ -227,7 +190,7 @@ private:
     }
 
     void judgeBoards() {
-        TakeGrade worst = TakeGrade::kGood;
+        Grade worst = Grade::kGood;
         for (size_t b = 0; b < report_.boards.size(); ++b) {
             const ReportBoard& board = report_.boards[b];
             if (board.frames_expected <= 0)
@@ -236,7 +199,7 @@ private:
                 static_cast<double>(board.frames_lost) / static_cast<double>(board.frames_expected);
             if (lost > limits_.good_lost)
                 verdict_.lossy_boards.push_back({static_cast<int>(b), lost});
-            worst = std::max(worst, lost > limits_.good_lost ? TakeGrade::kUsable : TakeGrade::kGood);
+            worst = std::max(worst, lost > limits_.good_lost ? Grade::kUsable : Grade::kGood);
         }
         std::stable_sort(
             verdict_.lossy_boards.begin(), verdict_.lossy_boards.end(),
@@ -245,11 +208,11 @@ private:
         const auto many = static_cast<size_t>(
             std::count_if(verdict_.lossy_boards.begin(), verdict_.lossy_boards.end(),
                           [&](const VerdictBoard& board) { return board.lost_share > limits_.usable_lost; }));
-        charge(VerdictReason::kBoardLost, 2 * many > report_.boards.size() ? TakeGrade::kNotUsable : worst);
+        charge(VerdictReason::kBoardLost, 2 * many > report_.boards.size() ? Grade::kNotUsable : worst);
     }
 
     void judgeHoles() {
-        std::vector<std::pair<double, double>> gaps = overview_.gaps_s;
+        std::vector<std::pair<double, double>> gaps = report_.gaps_s;
         std::sort(gaps.begin(), gaps.end());
         std::pair<double, double> hole{0, 0};
         for (const auto& [from_s, to_s] : gaps) {
@@ -257,7 +220,7 @@ private:
                 addHole(hole);
                 hole.first = from_s;
             }
-            hole.second = std::max(hole.second, std::min(to_s, overview_.duration_s));
+            hole.second = std::max(hole.second, std::min(to_s, report_.take.duration_s));
         }
         addHole(hole);
         charge(VerdictReason::kHole,
@@ -270,13 +233,11 @@ private:
         verdict_.longest_hole_s = std::max(verdict_.longest_hole_s, length_s);
     }
 
-    static constexpr double kLeastHalf_s = 3;    ///< of the take, to either side of a change
     static constexpr double kOneSigma = 0.683;   ///< of normal errors' sizes stay within it
     static constexpr size_t kLeastOfPart = 50;   ///< ranges; fewer say little of a source or a board
     static constexpr double kLeastDrift_s = 20;  ///< a slope over less says little
 
     const ReportData& report_;
-    const TakeOverview& overview_;
     const VerdictLimits& limits_;
     const ReportRun* run_;
     const Comparison* comparison_ = nullptr;
@@ -287,8 +248,8 @@ private:
 
 }  // namespace
 
-TakeVerdict judgeTake(const ReportData& report, const TakeOverview& overview, const VerdictLimits& limits) {
-    return Judge(report, overview, limits).judge();
+TakeVerdict judgeTake(const ReportData& report, const VerdictLimits& limits) {
+    return Judge(report, limits).judge();
 }
 
 }  // namespace noctule

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a processed take can be used, and why not, as data that the screens word. report/verdict.h judges
-// against a reference only, for publication; this also judges takes without one, by what the angles rested
-// on.
+// Whether a processed take can be used, and why not, as data that the report (verdict.h) and the screens
+// word. With a reference the error decides, without one what the angles rested on.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/job/grade.h"
 #include "core/report/report_data.h"
-#include "core/review/take_review.h"
 
 namespace noctule {
-
-enum class TakeGrade { kGood, kUsable, kNotUsable };
 
 /// The limits of the grades, with their reasons. With a reference the error is known and decides; what the
 /// angles rested on then only explains. Lost frames and holes count either way. Simulated takes of the
@@ -27,8 +24,6 @@ struct VerdictLimits {
     /// Share of joints and time constrained by a range not longer than three rounds ago; the rest drifts with
     /// its gyroscopes, 1 to 3 degrees a minute. Shins and feet are always low: few microphones hear them.
     double good_backed = 0.5, usable_backed = 0.2;
-    /// Of one joint, before and after something changed (a strap that moved, a source that fell off).
-    double backed_before = 0.7, backed_after = 0.25;
     /// Share of a joint's time in which neither ranges nor inertia told anything.
     double good_alone = 0.02, usable_alone = 0.2;
     /// Range residuals: 3 mm is the detector's noise, 15 mm what sound around the body and parts a little out
@@ -58,7 +53,7 @@ struct VerdictJoint {
     std::optional<double> mean_deg, worst_deg;  ///< against the reference
     double backed_by_ranges = 0;                ///< share of time, 0..1
     double backed_by_inertia = 0;               ///< of the rest
-    TakeGrade grade = TakeGrade::kGood;         ///< a low one need not lower that of the take
+    Grade grade = Grade::kGood;                 ///< a low one need not lower that of the take
 };
 
 struct VerdictBoard {
@@ -74,7 +69,7 @@ struct VerdictPart {
 };
 
 struct TakeVerdict {
-    TakeGrade grade = TakeGrade::kGood;
+    Grade grade = Grade::kGood;
     /// What lowered the grade, worst first; empty when nothing did. The screens word the first one or two.
     std::vector<VerdictReason> reasons;
 
@@ -97,7 +92,6 @@ struct TakeVerdict {
     std::vector<VerdictJoint> joints;
 };
 
-TakeVerdict judgeTake(const ReportData& report, const TakeOverview& overview,
-                      const VerdictLimits& limits = {});
+TakeVerdict judgeTake(const ReportData& report, const VerdictLimits& limits = {});
 
 }  // namespace noctule
