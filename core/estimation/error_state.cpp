@@ -50,7 +50,7 @@ void addError(const KinematicTree& tree, const StateLayout& layout, const Eigen:
 
 Eigen::VectorXd errorBetween(const KinematicTree& tree, const StateLayout& layout, const BodyState& from,
                              const BodyState& to) {
-    Eigen::VectorXd error(layout.size);
+    Eigen::VectorXd error = Eigen::VectorXd::Zero(layout.size);
     error.head(3 * layout.freedoms) << coordinateError(tree, from.motion, to.motion),
         to.motion.rate - from.motion.rate, to.motion.accel - from.motion.accel;
     forEachConstant(layout, to, [&](int place, double value) { error[place] = value; });

@@ -4425,11 +4425,11 @@
     </message>
     <message>
         <source>Worst</source>
-        <translation>Größter</translation>
+        <translation>Max.</translation>
     </message>
     <message>
         <source>Ranges</source>
-        <translation>Entfernungen</translation>
+        <translation>Gestützt</translation>
     </message>
     <message>
         <source>In the order of the body</source>

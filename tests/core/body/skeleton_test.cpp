@@ -12,8 +12,8 @@ namespace noctule {
 namespace {
 
 TEST(Skeleton, RefusesWhatIsNoTree) {
-    Joint root{"Hips", -1, {}, JointType::kFree, {}, {}, {}};
-    Joint child{"Spine", 3, {}, JointType::kFixed, {}, {}, {}};
+    Joint root{"Hips", -1, Vector3d::Zero(), JointType::kFree, {}, {}, {}};
+    Joint child{"Spine", 3, Vector3d::Zero(), JointType::kFixed, {}, {}, {}};
     const auto orphan = Skeleton::make({root, child});
     ASSERT_FALSE(orphan.ok());
     EXPECT_NE(orphan.error().message.find("Spine"), std::string::npos);

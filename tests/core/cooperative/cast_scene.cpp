@@ -240,7 +240,7 @@ CastScore runCast(const CastScene& scene, const CastRun& run) {
         const double square = error.squaredNorm() / static_cast<double>(truth.size());
         sum += square;
         score.worst_mm = std::max(score.worst_mm, 1000 * std::sqrt(square));
-        if (scene.users() > 1)
+        if (scene.users() > 1 && scene.wrists[1] < static_cast<int>(truth.size()))
             sum_wrist +=
                 (error.segment<3>(3 * scene.wrists[0]) - error.segment<3>(3 * scene.wrists[1])).squaredNorm();
         if (score.steps % 10 == 0)

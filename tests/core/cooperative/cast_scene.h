@@ -17,7 +17,7 @@ struct CastScene {
     std::vector<int> user_of_point;
     std::vector<Vector3d> anchors_m;
     double dt_s = 0.01;
-    int wrists[2] = {4, 17};  ///< the right ones, of the first two users
+    int wrists[2] = {4, 17};  ///< the right ones, of the first two users with 13 points each
     double q_m2_per_s3 = 0.03;
 
     int users() const { return user_of_point.back() + 1; }

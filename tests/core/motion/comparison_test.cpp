@@ -262,7 +262,8 @@ TEST(Comparison, SaysWhatCannotBeCompared) {
     TimedMotion disordered = motion;
     disordered.frames[5].time_ns = 0;
     EXPECT_FALSE(compareMotions(motion, disordered).ok());
-    TimedMotion stranger{Skeleton::make({{"Root", -1, {}, JointType::kFree, {}, {}, {}}}).value(), {}};
+    TimedMotion stranger{
+        Skeleton::make({{"Root", -1, Vector3d::Zero(), JointType::kFree, {}, {}, {}}}).value(), {}};
     stranger.frames.push_back({0, stranger.skeleton.zeroPose(), {}});
     EXPECT_NE(compareMotions(motion, stranger).error().message.find("share no joint"), std::string::npos);
     EXPECT_FALSE(compareMotions(TimedMotion{skeleton(), {}}, motion).ok());
