@@ -8,7 +8,7 @@
 #include "app/batch/files.h"
 #include "app/batch/takes.h"
 #include "app/batch/verb.h"
-#include "core/film/video_file.h"
+#include "core/media/video_file.h"
 #include "core/processing/export_program.h"
 #include "core/processing/export_take.h"
 #include "core/processing/run_subjects.h"

@@ -6,8 +6,9 @@
 #include <filesystem>
 #include <map>
 
-#include "core/film/video_file.h"
 #include "core/job/atomic_file.h"
+#include "core/media/picture_file.h"
+#include "core/media/video_file.h"
 #include "core/render/body_scene.h"
 
 namespace noctule {
@@ -241,8 +242,11 @@ Status writePicture(const std::string& path, const FilmSubject& subject, size_t 
     const auto picture = FilmScene(alone, settings).draw(**offscreen, 0);
     if (!picture)
         return picture.error();
-    return writeFileAtomically(path, pngBytes(*picture), overwrite, [&](const std::string& aside) -> Status {
-        const auto read = readPng(aside);
+    const auto bytes = pngBytes(*picture);
+    if (!bytes)
+        return bytes.error();
+    return writeFileAtomically(path, *bytes, overwrite, [&](const std::string& aside) -> Status {
+        const auto read = readPicture(aside);
         if (!read || difference(*read, *picture) > 0)
             return notTheSame(path, "other colours");
         return Done{};

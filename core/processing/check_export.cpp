@@ -6,8 +6,9 @@
 #include <functional>
 #include <limits>
 
-#include "core/film/video_file.h"
 #include "core/math/rotation.h"
+#include "core/media/picture_file.h"
+#include "core/media/video_file.h"
 #include "core/processing/contacts_in_force.h"
 #include "core/processing/export_comparison.h"
 #include "core/processing/export_motion.h"
@@ -145,7 +146,7 @@ Status comparePicture(const std::string& path, const ExportRequest& request, siz
     check.is_picture = true;
     check.expected_frames = 1;
     if (formatOf(request, path) == ExportFormat::kPng) {
-        const auto picture = readPng(path);
+        const auto picture = readPicture(path);
         if (!picture)
             return picture.error();
         check.frames = 1;

@@ -8,16 +8,11 @@
 #include <optional>
 
 #include "core/math/conventions.h"
+#include "core/media/picture.h"
 
 namespace noctule {
 
 enum class CameraView { kFree, kFront, kSide, kTop };
-
-struct PictureSize {
-    int width_px = 1, height_px = 1;
-    double aspect() const { return static_cast<double>(width_px) / height_px; }
-    bool operator==(const PictureSize&) const = default;
-};
 
 /// A half-line from the eye into the scene.
 struct SightLine {

@@ -4,26 +4,14 @@
 // releases it; another context must not be current there.
 #pragma once
 
-#include <cstdint>
 #include <memory>
-#include <vector>
 
 #include "core/job/result.h"
+#include "core/media/picture.h"
 #include "core/render/camera.h"
 #include "core/render/scene.h"
 
 namespace noctule {
-
-/// 8 bits each of red, green, blue, alpha; first row on top.
-struct Picture {
-    int width_px = 0, height_px = 0;
-    std::vector<uint8_t> rgba;
-
-    const uint8_t* at(int x, int y) const {
-        return rgba.data() +
-               4 * (static_cast<size_t>(y) * static_cast<size_t>(width_px) + static_cast<size_t>(x));
-    }
-};
 
 class Offscreen {
 public:

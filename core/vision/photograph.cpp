@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <opencv2/aruco.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <optional>
 
 #include "core/job/atomic_file.h"
+#include "core/media/picture_file.h"
 #include "core/vision/marker_sides.h"
 
 namespace noctule {
@@ -35,17 +35,11 @@ Error unreadable(const std::string& name, const std::string& what) {
             "Copy it from the camera again, or leave it out and take another photograph"};
 }
 
-Result<cv::Mat> decode(const std::string& bytes, const std::string& name) {
+Result<GreyPicture> decode(const std::string& bytes, const std::string& name) {
     if (isCutOffJpeg(bytes))
         return unreadable(name, "the photograph is cut off");
-    const cv::Mat raw(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data()));
-    cv::Mat grey;
-    if (!bytes.empty() && bytes.size() < size_t(1) << 30)
-        try {
-            grey = cv::imdecode(raw, cv::IMREAD_GRAYSCALE | cv::IMREAD_IGNORE_ORIENTATION);
-        } catch (const cv::Exception&) {  // a size that no picture has
-        }
-    if (grey.empty())
+    auto grey = decodeGreyPicture(bytes);
+    if (grey && grey->brightness.empty())
         return unreadable(name, "is not a photograph that can be read");
     return grey;
 }
@@ -90,17 +84,18 @@ bool isSame(const SeenMarker& a, const SeenMarker& b) {
 
 Result<Photograph> findMarkers(const std::string& bytes, const std::string& name) {
     cv::setNumThreads(1);  // core starts no threads
-    const auto grey = decode(bytes, name);
-    if (!grey)
-        return grey.error();
-    Photograph photograph{name, grey->cols, grey->rows, {}};
+    auto decoded = decode(bytes, name);
+    if (!decoded)
+        return decoded.error();
+    const cv::Mat grey(decoded->height_px, decoded->width_px, CV_8U, decoded->brightness.data());
+    Photograph photograph{name, grey.cols, grey.rows, {}};
     std::vector<std::vector<cv::Point2f>> corners;
     std::vector<int> numbers;
     try {
-        cv::aruco::detectMarkers(*grey, cv::aruco::getPredefinedDictionary(cv::aruco::DICT_4X4_50), corners,
+        cv::aruco::detectMarkers(grey, cv::aruco::getPredefinedDictionary(cv::aruco::DICT_4X4_50), corners,
                                  numbers, detectorSettings());
         for (size_t i = 0; i < numbers.size(); ++i)
-            if (const auto seen = refined(*grey, numbers[i], corners[i]);
+            if (const auto seen = refined(grey, numbers[i], corners[i]);
                 seen && std::ranges::none_of(photograph.markers,
                                              [&](const SeenMarker& other) { return isSame(*seen, other); }))
                 photograph.markers.push_back(*seen);

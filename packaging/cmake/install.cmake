@@ -8,7 +8,7 @@ if(TARGET noctule-ros-bridge)
     install(TARGETS noctule-ros-bridge RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
 install(TARGETS noctule-read-mesh RUNTIME DESTINATION ${helpers})
-install(TARGETS noctule_video LIBRARY DESTINATION ${helpers})
+install(TARGETS noctule_media_module LIBRARY DESTINATION ${helpers})
 install(FILES ${NOCTULE_HELP_DIR}/noctule.bash DESTINATION ${share}/bash-completion/completions RENAME noctule)
 install(FILES ${NOCTULE_HELP_DIR}/noctule.bash DESTINATION ${share}/bash-completion/completions
     RENAME noctule-virtual-suit)
@@ -55,7 +55,7 @@ install(FILES ${CMAKE_BINARY_DIR}/packed/changelog.gz DESTINATION ${CMAKE_INSTAL
 
 # All that is installed: cmake --build DIR --target installed && cmake --install DIR --prefix /usr/local
 add_custom_target(installed)
-add_dependencies(installed noctule noctule-virtual-suit noctule-virtual-robot noctule-read-mesh noctule_video noctule_packed)
+add_dependencies(installed noctule noctule-virtual-suit noctule-virtual-robot noctule-read-mesh noctule_media_module noctule_packed)
 
 noctule_describe(version)
 set(CPACK_GENERATOR DEB)

@@ -1714,36 +1714,8 @@
         <translation>%1 Bilder statt %2</translation>
     </message>
     <message>
-        <source>%1, which encodes films, cannot be loaded</source>
-        <translation>%1, das Filme kodiert, lässt sich nicht laden</translation>
-    </message>
-    <message>
-        <source>%1: OpenCV finds no encoder for it</source>
-        <translation>%1: OpenCV findet keinen Encoder dafür</translation>
-    </message>
-    <message>
-        <source>%1: a film of %2 x %3 pixels cannot be encoded</source>
-        <translation>%1: ein Film von %2 x %3 Pixeln lässt sich nicht kodieren</translation>
-    </message>
-    <message>
-        <source>%1: cannot be written</source>
-        <translation>%1: lässt sich nicht schreiben</translation>
-    </message>
-    <message>
         <source>%1: cannot be written: No space left on device</source>
         <translation>%1: lässt sich nicht schreiben: Auf dem Datenträger ist kein Platz mehr</translation>
-    </message>
-    <message>
-        <source>%1: films of this kind cannot be written</source>
-        <translation>%1: Filme dieser Art lassen sich nicht schreiben</translation>
-    </message>
-    <message>
-        <source>%1: is no film that can be read</source>
-        <translation>%1: ist kein lesbarer Film</translation>
-    </message>
-    <message>
-        <source>%1: is no picture that can be read</source>
-        <translation>%1: ist kein lesbares Bild</translation>
     </message>
     <message>
         <source>%1: what was written does not read back the same (%2)</source>
@@ -1754,32 +1726,12 @@
         <translation>Den Datenträger prüfen und erneut versuchen</translation>
     </message>
     <message>
-        <source>Choose an even width and an even height</source>
-        <translation>Eine gerade Breite und eine gerade Höhe wählen</translation>
-    </message>
-    <message>
-        <source>End its name with .mp4, .mkv or .avi</source>
-        <translation>Den Namen auf .mp4, .mkv oder .avi enden lassen</translation>
-    </message>
-    <message>
         <source>Free some space there or choose another folder</source>
         <translation>Dort Platz schaffen oder einen anderen Ordner wählen</translation>
     </message>
     <message>
-        <source>Install ffmpeg's libraries, or write an .avi file</source>
-        <translation>Die Bibliotheken von ffmpeg installieren oder eine .avi-Datei schreiben</translation>
-    </message>
-    <message>
-        <source>Install the program again; this file belongs beside it</source>
-        <translation>Das Programm neu installieren; diese Datei gehört daneben</translation>
-    </message>
-    <message>
         <source>Reading %1 again</source>
         <translation>%1 wird zurückgelesen</translation>
-    </message>
-    <message>
-        <source>Write it again</source>
-        <translation>Noch einmal schreiben</translation>
     </message>
     <message>
         <source>another frame rate</source>
@@ -3352,6 +3304,57 @@
     <message>
         <source>what smoothing puts aside</source>
         <translation>was die Glättung zur Seite legt</translation>
+    </message>
+</context>
+<context>
+    <name>core/media</name>
+    <message>
+        <source>%1, which reads and writes pictures and films, cannot be loaded</source>
+        <translation>%1, das Bilder und Filme liest und schreibt, kann nicht geladen werden</translation>
+    </message>
+    <message>
+        <source>%1: OpenCV finds no encoder for it</source>
+        <translation>%1: OpenCV findet keinen Encoder dafür</translation>
+    </message>
+    <message>
+        <source>%1: a film of %2 x %3 pixels cannot be encoded</source>
+        <translation>%1: ein Film von %2 x %3 Pixeln lässt sich nicht kodieren</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written</source>
+        <translation>%1: lässt sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>%1: films of this kind cannot be written</source>
+        <translation>%1: Filme dieser Art lassen sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>%1: is no film that can be read</source>
+        <translation>%1: ist kein lesbarer Film</translation>
+    </message>
+    <message>
+        <source>%1: is no picture that can be read</source>
+        <translation>%1: ist kein lesbares Bild</translation>
+    </message>
+    <message>
+        <source>Choose an even width and an even height</source>
+        <translation>Eine gerade Breite und eine gerade Höhe wählen</translation>
+    </message>
+    <message>
+        <source>End its name with .mp4, .mkv or .avi</source>
+        <translation>Den Namen auf .mp4, .mkv oder .avi enden lassen</translation>
+    </message>
+    <message>
+        <source>Install ffmpeg's libraries, or write an .avi file</source>
+        <translation>Die Bibliotheken von ffmpeg installieren oder eine .avi-Datei schreiben</translation>
+    </message>
+    <message>
+        <source>Install the program again; this file belongs beside it</source>
+        <translation>Das Programm neu installieren; diese Datei gehört daneben</translation>
+    </message>
+    <message>
+        <source>Write it again</source>
+        <translation>Noch einmal schreiben</translation>
     </message>
 </context>
 <context>

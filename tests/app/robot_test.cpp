@@ -2,7 +2,7 @@
 // Commands for a robot from a motion, through the command line. The arm stands in the test.
 #include <fstream>
 
-#include "core/film/video_file.h"
+#include "core/media/video_file.h"
 #include "tests/support/program_run.h"
 
 namespace noctule::test {

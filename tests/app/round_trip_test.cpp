@@ -2,12 +2,13 @@
 // simulate, process, evaluate, export, attach, inspect: one after the other, and the numbers that come out.
 #include <cmath>
 
-#include "core/film/video_file.h"
 #include "core/formats/bvh.h"
 #include "core/formats/opensim.h"
 #include "core/formats/positions_csv.h"
 #include "core/formats/scene_reader.h"
 #include "core/job/atomic_file.h"
+#include "core/media/picture_file.h"
+#include "core/media/video_file.h"
 #include "tests/support/program_run.h"
 
 namespace noctule::test {
@@ -105,7 +106,7 @@ TEST_F(RoundTrip, ABodyOfAnotherProgramMovesInFilesPicturesAndFilms) {
     ASSERT_TRUE(film) << film.error().text();
     EXPECT_EQ(film->frames, 11U);
     EXPECT_EQ(film->size.width_px, 320);
-    const auto picture = readPng(file("worn.png"));
+    const auto picture = readPicture(file("worn.png"));
     ASSERT_TRUE(picture);
     EXPECT_EQ(picture->height_px, 180);
     writeBytes(file("bones.json"),

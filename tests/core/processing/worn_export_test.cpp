@@ -3,8 +3,9 @@
 // take by a check of its own, which sees what is wrong.
 #include <unistd.h>
 
-#include "core/film/video_file.h"
 #include "core/job/atomic_file.h"
+#include "core/media/picture_file.h"
+#include "core/media/video_file.h"
 #include "core/processing/check_export.h"
 #include "tests/core/processing/made_export.h"
 #include "tests/support/named_rig.h"
@@ -118,7 +119,7 @@ TEST_F(WornExport, PicturesAndFilmsAreDrawnAndChecked) {
             ASSERT_TRUE(facts);
             EXPECT_EQ(facts->frames, 31U);
             EXPECT_NEAR(facts->frames_per_second, 25, 0.01);
-            const auto picture = readPng(request_.png_path);
+            const auto picture = readPicture(request_.png_path);
             ASSERT_TRUE(picture);
             EXPECT_EQ(picture->width_px, 160);
             int body = 0;
@@ -145,7 +146,7 @@ TEST_F(WornExport, ASkeletonAloneIsDrawnAsLines) {
     ASSERT_TRUE(summary) << summary.error().text();
     EXPECT_TRUE(checkExport(request_, {})->front().ok());
     const auto grey = [&] {
-        const auto picture = readPng(request_.png_path).value();
+        const auto picture = readPicture(request_.png_path).value();
         int count = 0;
         for (int y = 0; y < picture.height_px; ++y)
             for (int x = 0; x < picture.width_px; ++x)

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/film/video_file.h"
-
-#include <dlfcn.h>
+#include "core/media/video_file.h"
 
 #include <algorithm>
 #include <filesystem>
-#include <opencv2/imgcodecs.hpp>
 
-#include "core/film/picture_mat.h"
-#include "core/film/video_backend.h"
 #include "core/job/atomic_file.h"
-#include "core/job/own_folder.h"
+#include "core/media/media_backend.h"
 
 namespace noctule {
 namespace {
@@ -27,18 +22,6 @@ std::vector<std::string> encodersFor(const std::string& ending) {
     if (ending == ".mp4" || ending == ".mkv")
         return {"avc1", "mp4v"};
     return ending == ".avi" ? std::vector<std::string>{"MJPG"} : std::vector<std::string>{};
-}
-
-/// Loaded once, and for good.
-Result<const VideoBackend*> videoBackend() {
-    static void* const module = dlopen(helperPath(kVideoModule).c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (!module)
-        return Error{ErrorKind::kInternal,
-                     helperPath(kVideoModule) + ", which encodes films, cannot be loaded",
-                     "Install the program again; this file belongs beside it"};
-    const auto backend = reinterpret_cast<const VideoBackend* (*)()>(dlsym(module, kVideoBackend));
-    require(backend, "the module of films has a backend");
-    return backend();
 }
 
 }  // namespace
@@ -61,13 +44,13 @@ Result<std::unique_ptr<VideoWriter>> VideoWriter::create(const std::string& path
                      named + ": a film of " + std::to_string(size.width_px) + " x " +
                          std::to_string(size.height_px) + " pixels cannot be encoded",
                      "Choose an even width and an even height"};
-    const auto backend = videoBackend();
+    const auto backend = mediaBackend();
     if (!backend)
         return backend.error();
     if (const Status free = writeFileAtomically(path, "", true); !free)
         return Error{free.error().kind, named + ": cannot be written", free.error().remedy};
     for (const std::string& name : encoders)
-        if (auto encoder = (*backend)->open(path, name, size, frames_per_second))
+        if (auto encoder = (*backend)->openVideo(path, name, size, frames_per_second))
             return std::unique_ptr<VideoWriter>(new VideoWriter(std::move(encoder)));
     return Error{ErrorKind::kUnusable, named + ": OpenCV finds no encoder for it",
                  "Install ffmpeg's libraries, or write an .avi file"};
@@ -83,31 +66,13 @@ void VideoWriter::finish() {
 
 Result<VideoFacts> readVideo(const std::string& path, const std::set<size_t>& looked_at,
                              const std::function<void(size_t frame, const Picture&)>& look) {
-    const auto backend = videoBackend();
+    const auto backend = mediaBackend();
     if (!backend)
         return backend.error();
     VideoFacts facts;
-    if (!(*backend)->read(path, facts, looked_at, look))
+    if (!(*backend)->readVideo(path, facts, looked_at, look))
         return Error{ErrorKind::kUnreadable, path + ": is no film that can be read", "Write it again"};
     return facts;
-}
-
-std::string pngBytes(const Picture& picture) {
-    std::vector<uint8_t> bytes;
-    require(cv::imencode(".png", toBgr(picture), bytes), "a picture in memory can be encoded as PNG");
-    return {bytes.begin(), bytes.end()};
-}
-
-Result<Picture> readPng(const std::string& path) {
-    const auto bytes = readWholeFile(path);
-    if (!bytes)
-        return bytes.error();
-    const cv::Mat bgr =
-        bytes->empty() ? cv::Mat()
-                       : cv::imdecode(std::vector<uint8_t>(bytes->begin(), bytes->end()), cv::IMREAD_COLOR);
-    if (bgr.empty())
-        return Error{ErrorKind::kUnreadable, path + ": is no picture that can be read", "Write it again"};
-    return fromBgr(bgr);
 }
 
 }  // namespace noctule

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Films and pictures as files. Who encodes them (OpenCV, for films its videoio on ffmpeg) is known here only.
-// .mp4 and .mkv hold H.264, or MPEG-4 where that encoder is missing, .avi motion JPEG.
+// Films as files. .mp4 and .mkv hold H.264, or MPEG-4 where that encoder is missing, .avi motion JPEG.
 #pragma once
 
 #include <functional>
@@ -8,7 +7,8 @@
 #include <set>
 #include <string>
 
-#include "core/render/offscreen.h"
+#include "core/job/result.h"
+#include "core/media/picture.h"
 
 namespace noctule {
 
@@ -43,10 +43,5 @@ struct VideoFacts {
 /// Decodes the whole file; `look` sees the frames of `looked_at`. kUnreadable when it is no film.
 Result<VideoFacts> readVideo(const std::string& path, const std::set<size_t>& looked_at = {},
                              const std::function<void(size_t frame, const Picture&)>& look = {});
-
-/// PNG, 8 bits each of red, green and blue.
-std::string pngBytes(const Picture& picture);
-/// kUnreadable; alpha is 255.
-Result<Picture> readPng(const std::string& path);
 
 }  // namespace noctule
