@@ -172,11 +172,13 @@ StillBoard averageBoard(const Observations& take, size_t board, const Stretch& s
         gyro_square += reading->gyro_counts.cwiseAbs2() / count;
         accel_square += reading->accel_counts.cwiseAbs2() / count;
     }
-    const Vector3d gyro_rounding =
-        (gyro_square - still.gyro_counts.cwiseAbs2()).unaryExpr(&roundingOfMean_counts);
-    const Vector3d accel_rounding =
-        (accel_square - still.accel_counts.cwiseAbs2()).unaryExpr(&roundingOfMean_counts);
     const AxisCalibration gyro = scaleOf(take, board, true), accel = scaleOf(take, board, false);
+    const auto rounding = [](const AxisCalibration& of, const Vector3d& variance_counts) {
+        return of.isOfCounts() ? Vector3d(variance_counts.unaryExpr(&roundingOfMean_counts))
+                               : Vector3d::Zero();
+    };
+    const Vector3d gyro_rounding = rounding(gyro, gyro_square - still.gyro_counts.cwiseAbs2());
+    const Vector3d accel_rounding = rounding(accel, accel_square - still.accel_counts.cwiseAbs2());
     const double lasts_s = std::prev(last)->time_s - first->time_s;
     const Matrix3d counts_of_rate = gyro.matrix.inverse();
     for (int round = 0; round < 3; ++round)  // the first step is exact but for the order of small rotations

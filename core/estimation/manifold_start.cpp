@@ -226,7 +226,12 @@ void ManifoldFilter::settle(const RestReadings& rest, const RootMeasurement* roo
 
 void ManifoldFilter::emitRestPoses(const RestReadings& rest) {
     const int64_t frame_steps = parameters_.steps_per_frame;
-    for (int64_t k = 0; k < now_.step_index; k += frame_steps)
+    // A rest of no length is the begin of readings that come late: nothing is known of the time before.
+    const double from_s = rest.end_s > rest.begin_s ? 0 : rest.begin_s;
+    const auto first =
+        frame_steps *
+        static_cast<int64_t>(std::ceil(from_s / (step_s_ * static_cast<double>(frame_steps)) - 1e-9));
+    for (int64_t k = first; k < now_.step_index; k += frame_steps)
         poses_.push_back(estimateAt(static_cast<double>(k) * step_s_));
     if (now_.step_index % frame_steps == 0 && rest.end_s >= 0)
         poses_.push_back(estimateAt(static_cast<double>(now_.step_index) * step_s_));

@@ -287,14 +287,14 @@ Result<ImportedRecording> readCsv(const std::vector<ImportFile>& files, const Im
     if (!choice.map.is_object())
         return Error{ErrorKind::kUsage,
                      file.path + ": a table needs a map of its columns; they are " + listOf(head->names),
-                     "Write one as core/import/README.md shows and give it: --map MAP.json"};
+                     "Write a map as core/import/README.md shows (--map MAP.json)"};
     return readMapped(file, *head, choice, job);
 }
 
 }  // namespace
 
 const ImportFormat& csvFormat() {
-    static const ImportFormat format = {"csv", "any table of numbers, with --map", false, knowsCsv, readCsv};
+    static const ImportFormat format = {"csv", "any table of numbers", false, knowsCsv, readCsv};
     return format;
 }
 

@@ -171,6 +171,11 @@ Result<ImportedRecording> readImport(const ImportFormat& format, const std::vect
         recording->warnings.push_back(path + " is no file of this kind and was left out");
     convertToSi(*recording);
     checkReadings(*recording);
+    if (!holdsReadings(*recording))
+        return Error{ErrorKind::kUnusable,
+                     known.front().path + ": holds no reading that can be used" +
+                         (recording->warnings.empty() ? "" : ": " + recording->warnings.back()),
+                     "Export the recording again, with rates and accelerations or attitudes of unit length"};
     mergeAlike(*recording);
     guessSegments(*recording);
     return recording;

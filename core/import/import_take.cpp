@@ -257,6 +257,9 @@ Status writeTake(const ImportedRecording& recording, const std::string& path, co
                                        std::to_string(std::llround(summary.duration_s * double(kClock_hz))));
         !counted)
         return counted;
+    if (!request.performer.empty())
+        if (Status named = take->setMeta("performer", request.performer); !named)
+            return named;
     return take->finish();
 }
 

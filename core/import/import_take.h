@@ -11,6 +11,7 @@ namespace noctule {
 struct ImportRequest {
     std::string out_path, take_name, created_utc, software, uuid;
     bool overwrite = false;
+    std::string performer{};  ///< who wore the sensors; empty: not known
 };
 
 struct ImportSummary {

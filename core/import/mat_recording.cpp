@@ -130,7 +130,7 @@ Result<ImportedRecording> recordingFromMat(const MatArrays& arrays, const std::s
     }
     const auto timing = timingOf(arrays, rate_hz);
     if (!timing)
-        return refuse("the file states no usable sampling rate", "Give it: --rate HZ, 1 to 10000");
+        return refuse("the file states no usable sampling rate", "Give it, 1 to 10000 Hz (--rate HZ)");
     ImportedRecording recording;
     recording.name = name;
     recording.start_s = timing->start_s;

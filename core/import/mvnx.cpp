@@ -200,7 +200,7 @@ Result<ImportedRecording> readMvnx(const std::vector<ImportFile>& files, const I
     const double rate_hz = choice.rate_hz > 0 ? choice.rate_hz : file->rate_hz;
     if (!(rate_hz >= 1 && rate_hz <= 10'000))
         return Error{ErrorKind::kUnreadable, given.path + ": states no usable frameRate",
-                     "Give the rate of the recording: --rate HZ"};
+                     "Give the rate of the recording (--rate HZ)"};
     if (file->frames.empty())
         return Error{ErrorKind::kUnreadable, given.path + ": holds no frame of a motion",
                      "Export the recording as MVNX again"};

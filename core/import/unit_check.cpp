@@ -8,6 +8,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/body/text.h"
 #include "core/math/rotation.h"
 
 namespace noctule {
@@ -80,6 +81,11 @@ void convertRates(ImportedSensor& sensor, std::vector<std::string>& warnings) {
             scale(sensor.samples.gyro_rad_per_s, radians(1));
             warnings.push_back(sensor.id + ": rates were read as deg/s and converted to rad/s");
             break;
+        case RateReading::kConvertedTwice:
+            scale(sensor.samples.gyro_rad_per_s, degrees(1));
+            warnings.push_back(
+                sensor.id + ": rates are stated as deg/s, but gravity shows rad/s; they were taken as rad/s");
+            break;
         case RateReading::kMirrored:
             warnings.push_back(sensor.id +
                                ": gravity turns against the gyroscope; check the gyroscope's axes");
@@ -134,11 +140,12 @@ double angleOfDirections(const Vector3d& a, const Vector3d& b) {
 RateReading rateReading(const ImuSamples& samples) {
     const auto size = static_cast<size_t>(std::max(1.0, samples.rate_hz / 10));
     const auto blocks = blocksOf(samples, size, medianNorm(samples.accel_m_per_s2));
-    constexpr std::array<std::pair<RateReading, double>, 3> kReadings{
+    constexpr std::array<std::pair<RateReading, double>, 4> kReadings{
         {{RateReading::kRadians, 1},
          {RateReading::kDegrees, std::numbers::pi / 180},
-         {RateReading::kMirrored, -1}}};
-    std::array<double, 3> off_rad{};
+         {RateReading::kMirrored, -1},
+         {RateReading::kConvertedTwice, 180 / std::numbers::pi}}};
+    std::array<double, kReadings.size()> off_rad{};
     int turns = 0;
     for (size_t from = 0; from < blocks.size() && turns < kMostTurns; ++from) {
         size_t to = from;
@@ -220,7 +227,29 @@ void describeReadings(const std::string& who, const char* what, std::vector<Vect
                            "still or the file may hold fewer");
 }
 
+void describeAttitudes(const ImportedSensor& sensor, std::vector<std::string>& warnings) {
+    const auto& all = sensor.q_world_sensor;
+    const auto missing =
+        std::ranges::count_if(all, [](const Quaterniond& q) { return !q.coeffs().allFinite(); });
+    if (double(missing) > kUsualShareMissing * double(all.size()))
+        warnings.push_back(sensor.id + ": " + std::to_string(missing) + " of " + std::to_string(all.size()) +
+                           " attitudes are missing or of no unit length");
+}
+
 }  // namespace
+
+bool holdsReadings(const ImportedRecording& recording) {
+    if (recording.reference)
+        return true;
+    const auto finite = [](const Vector3d& reading) { return reading.allFinite(); };
+    return std::ranges::any_of(recording.sensors, [&](const ImportedSensor& sensor) {
+        return std::ranges::any_of(sensor.samples.gyro_rad_per_s, finite) ||
+               std::ranges::any_of(sensor.samples.accel_m_per_s2, finite) ||
+               std::ranges::any_of(sensor.samples.mag, finite) ||
+               std::ranges::any_of(sensor.q_world_sensor,
+                                   [](const Quaterniond& q) { return q.coeffs().allFinite(); });
+    });
+}
 
 void checkReadings(ImportedRecording& recording) {
     double shortest = std::numeric_limits<double>::infinity(), longest = 0;
@@ -231,13 +260,14 @@ void checkReadings(ImportedRecording& recording) {
         describeReadings(sensor.id, "accelerations", samples.accel_m_per_s2, kImpossibleAccel_m_per_s2,
                          recording.warnings);
         describeReadings(sensor.id, "fields", samples.mag, kImpossibleField, recording.warnings);
+        describeAttitudes(sensor, recording.warnings);
         const double duration_s = double(samples.size()) / samples.rate_hz;
         shortest = std::min(shortest, duration_s);
         longest = std::max(longest, duration_s);
     }
     if (longest > 0 && shortest < (1 - kUnevenLength) * longest)
-        recording.warnings.push_back("The sensors are of different lengths: " + std::to_string(shortest) +
-                                     " to " + std::to_string(longest) + " s");
+        recording.warnings.push_back("The sensors are of different lengths: " + text::number(shortest, 2) +
+                                     " to " + text::number(longest, 2) + " s");
 }
 
 }  // namespace noctule

@@ -240,8 +240,8 @@ Result<ImportedRecording> readXimu3(const std::vector<ImportFile>& files, const 
 }  // namespace
 
 const ImportFormat& ximu3Format() {
-    static const ImportFormat format = {"x-imu3", "x-IMU3: folders of CSV tables, or .ximu3", true,
-                                        knowsXimu3, readXimu3};
+    static const ImportFormat format = {"ximu3", "x-IMU3: folders of CSV tables, or .ximu3", true, knowsXimu3,
+                                        readXimu3};
     return format;
 }
 

@@ -204,12 +204,12 @@ Result<double> rateOf(const std::vector<XsensFile>& files, const ImportChoice& c
     if (stated && clocked && std::abs(*clocked / *stated - 1) > 0.01)
         recording.warnings.push_back("The header states " + std::to_string(*stated) +
                                      " rows a second, SampleTimeFine shows " + std::to_string(*clocked) +
-                                     "; the header's was taken, --rate HZ replaces it");
+                                     "; the header's was taken (--rate HZ replaces it)");
     if (stated || clocked)
         return stated ? *stated : *clocked;
     return Error{ErrorKind::kUnusable,
                  path + ": states no rate and brings no clock, as MT Manager writes since 2019.2",
-                 "Give the rate of the recording: --rate HZ"};
+                 "Give the rate of the recording (--rate HZ)"};
 }
 
 std::vector<Quaterniond> attitudesOf(const XsensFile& file, const Quaterniond& turn) {
@@ -322,7 +322,7 @@ Result<ImportedRecording> readXsensText(const std::vector<ImportFile>& given, co
 }  // namespace
 
 const ImportFormat& xsensTextFormat() {
-    static const ImportFormat format = {"xsens-text", "MT Manager's text export, one file per sensor", true,
+    static const ImportFormat format = {"mt", "MT Manager's text export, one file per sensor", true,
                                         knowsXsensText, readXsensText};
     return format;
 }

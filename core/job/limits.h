@@ -24,6 +24,8 @@ inline constexpr size_t kSuitsOfTake = 64;     ///< performers and fixed transce
 inline constexpr int64_t kLowestRate_hz = 10;             ///< slow trackers send 30 readings a second
 inline constexpr int64_t kHighestRate_hz = 10'000'000;    ///< as the link; ultrasound needs 150 kHz
 inline constexpr int64_t kLongestTake_s = 7 * 24 * 3600;  ///< a week; hours are usual
+/// No pose is carried over a longer hole between two readings; a single row beyond it is damage.
+inline constexpr int64_t kLongestHole_s = 600;
 inline constexpr int64_t kBeyondTake_ns =
     1'000'000'000;  ///< the last pose may stand so far after the last sample
 

@@ -43,7 +43,7 @@ InertialCalibrator::InertialCalibrator(const Suit& suit, const Calibration& cali
                                   : board.accel_noise_m_per_s2.value_or(noise.accel_m_per_s2),
                             std::nullopt,
                             codecRoundingSigmaCounts(0),
-                            !(triad.zero_counts.isZero() && triad.matrix.isIdentity()),
+                            triad.isOfCounts(),
                             board.rate_hz == kInertialFramesPerSecond};
         }
         boards_.push_back(axes);
@@ -60,7 +60,7 @@ InertialMeasurement InertialCalibrator::convert(const InertialReading& reading) 
             continue;
         TriadReading& triad = i < 3 ? measurement.gyro : measurement.accel;
         if (!axis.counts) {
-            triad.add({axis.sensitive_axis, *counts, axis.noise});
+            triad.add({axis.sensitive_axis, (*counts - axis.zero_counts) * axis.per_count, axis.noise});
             continue;
         }
         const bool clipped = *counts <= kCountsMin || *counts >= kCountsMax;

@@ -21,10 +21,10 @@ public:
     InertialCalibrator(const Suit& suit, const Calibration& calibration, double sample_rate_hz,
                        const SensorNoise& noise = {});
 
-    /// Readings of one board in order of time. A triad with zero 0 and the identity for a matrix holds SI
-    /// values of another maker's sensor and is taken as it is. An axis that is absent or clipped is left out;
-    /// its sigma holds the sensor's noise and what is slow of the rounding of the step by which the stream
-    /// reached the reading.
+    /// Readings of one board in order of time. A triad that is not of counts holds SI
+    /// values of another maker's sensor, without rounding and limits. An axis that is absent or clipped is
+    /// left out; its sigma holds the sensor's noise and what is slow of the rounding of the step by which the
+    /// stream reached the reading.
     InertialMeasurement convert(const InertialReading& reading);
 
     int64_t clippedReadings(int board) const { return boards_[static_cast<size_t>(board)].clipped; }

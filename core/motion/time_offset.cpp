@@ -125,8 +125,9 @@ std::string distrust(const TimeOffset& offset) {
         std::string rivals;
         for (const TimeOffset::Rival& rival : offset.rivals)
             rivals += (rivals.empty() ? "" : ", ") + inMs(rival.add_to_reference_ns);
-        return "repeats itself: " + rivals + (offset.rivals.size() > 1 ? " fit" : " fits") +
-               " about as well as " + inMs(offset.add_to_reference_ns);
+        const std::string best = inMs(offset.add_to_reference_ns);
+        return offset.rivals.size() > 1 ? "repeats itself: " + rivals + " fit about as well as " + best
+                                        : "repeats itself: " + rivals + " fits about as well as " + best;
     }
     return "moves too little to tell the shift better than within " + inMs(2 * offset.sigma_ns);
 }

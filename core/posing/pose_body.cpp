@@ -119,7 +119,7 @@ Status checkTracks(const Actor& actor, SensorTracks& tracks, std::vector<std::st
     });
     if (tracks.sensors.empty())
         return Error{ErrorKind::kUnusable, "no sensor sits on a segment of the actor",
-                     "Import the recording with --assign names or auto"};
+                     "Import the recording again and say where each sensor sits (--assign names or auto)"};
     if (double(tracks.size()) < kShortest_s * tracks.rate_hz)
         return Error{ErrorKind::kUnusable, "the recording is shorter than 2 s",
                      "Stand still for a second, then move"};

@@ -51,26 +51,28 @@ Result<TimeOffset> alignment(const Take& take, const AttachRequest& request, con
     if (!request.motion)
         return Error{ErrorKind::kUsage,
                      request.source_name + ": positions cannot be aligned in time by themselves",
-                     "Give --align MILLISECONDS, the time of the file's start on the take's clock"};
+                     "Say at which time of the take the file begins (--align MILLISECONDS)"};
     const auto run = choosePoseRun(take, "");
     if (!run)
-        return Error{run.error().kind, run.error().message + ", and the reference is aligned with one",
-                     run.error().remedy + ", or give --align MILLISECONDS"};
+        return Error{
+            run.error().kind, run.error().message + ", and the reference is aligned with one",
+            run.error().remedy + ", or say at which time of the take the file begins (--align MILLISECONDS)"};
     const auto estimate = take.poses(run->run);
     if (!estimate)
         return estimate.error();
     const auto offset = findTimeOffset(*estimate, motion);
     if (!offset)
         return Error{ErrorKind::kUnusable,
-                     request.source_name + ": no joint that it shares with run '" + run->name + "' of " +
-                         take.path() + " moves for two seconds, so the shift cannot be told",
-                     "Check that it shows this take, or give --align MILLISECONDS"};
+                     request.source_name + ": no joint that it shares with run '" + run->name +
+                         "' moves for two seconds, so the shift cannot be told",
+                     "Check that it shows this take, or say at which time of it the file begins (--align "
+                     "MILLISECONDS)"};
     if (!offset->trusted())
-        return Error{ErrorKind::kUnusable,
-                     request.source_name + ": compared with run '" + run->name + "' of " + take.path() +
-                         ", the motion " + distrust(*offset),
-                     "Check that it shows this take, or give --align MILLISECONDS, the time of the file's "
-                     "start on the take's clock"};
+        return Error{
+            ErrorKind::kUnusable,
+            request.source_name + ": compared with run '" + run->name + "', the motion " + distrust(*offset),
+            "Check that it shows this take, or say at which time of it the file begins (--align "
+            "MILLISECONDS)"};
     aligned_with = run->name;
     return *offset;
 }
@@ -173,7 +175,8 @@ Status checkTimes(const AttachRequest& request, const TimedMotion& motion, int64
                                                               : "time_ns") +
                          ", or give the times in seconds"};
     if (summary.rows_outside == all)
-        return Error{ErrorKind::kUnusable, request.source_name + ": " + outside, "Check --align"};
+        return Error{ErrorKind::kUnusable, request.source_name + ": " + outside,
+                     "Check when it begins (--align)"};
     if (summary.rows_outside > 0)
         summary.warnings.push_back(request.source_name + ": " + outside + " and were left out.");
     return Done{};
@@ -252,7 +255,7 @@ Result<AttachSummary> attachReference(const AttachRequest& request, const JobCon
                      request.source_name +
                          ": positions do not say how the limbs are twisted, so angles cannot be "
                          "compared with them",
-                     "Give the motion as BVH, or attach the positions with --as external-root"};
+                     "Give the motion as BVH, or attach the positions as the root's (--as external-root)"};
     auto opened = Take::open(request.take_path, Access::kReadWrite, {job.cancel});
     if (!opened)
         return opened.error();

@@ -44,7 +44,8 @@ public:
                 return;
             (axis < 3 ? counts.gyro_counts : counts.accel_counts)[static_cast<Eigen::Index>(axis % 3)] =
                 *count;
-            counts.clipped |= *count <= kCountsMin || *count >= kCountsMax;
+            counts.clipped |=
+                isOfCounts(reading.board, axis < 3) && (*count <= kCountsMin || *count >= kCountsMax);
         }
         into_.boards[static_cast<size_t>(reading.board)].push_back(counts);
     }
@@ -60,6 +61,12 @@ public:
     }
 
 private:
+    bool isOfCounts(int board, bool gyro) const {
+        const BoardCalibration* known =
+            into_.calibration.findBoard(into_.suit.boards[static_cast<size_t>(board)].id);
+        return !known || (gyro ? known->gyro : known->accel).isOfCounts();
+    }
+
     Observations& into_;
     double sample_rate_hz_;
     SpeedOfSound sound_speed_;

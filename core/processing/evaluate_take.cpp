@@ -231,7 +231,7 @@ Status addQuality(const Take& take, const DerivedRun& run, const RunSettings& se
     for (const Source& source : parts->suit.sources)
         data.sources.push_back({source.id, source.segment});
     if (settings.inertial_run) {
-        auto boards = boardQuality(take, parts->suit, *settings.inertial_run);
+        auto boards = boardQuality(take, parts->suit, parts->calibration, *settings.inertial_run);
         if (!boards)
             return boards.error();
         data.boards = std::move(*boards);

@@ -3,7 +3,21 @@
 
 #include <algorithm>
 
+#include "core/body/text.h"
+#include "core/job/limits.h"
+
 namespace noctule {
+namespace {
+
+Error holeOfReadings(const Take& take, double from_sample, double to_sample, double sample_rate_hz) {
+    const auto at = [&](double sample) { return text::clock(sample / sample_rate_hz); };
+    return {ErrorKind::kUnusable,
+            take.path() + ": there is no reading from " + at(from_sample) + " to " + at(to_sample) +
+                ", and no pose can be carried over that",
+            "Record or import it as two takes; if the take is damaged, correct the instants of its readings"};
+}
+
+}  // namespace
 
 Result<FedFrames> feedTracker(const Take& take, const Ingredients& in, MotionTracker& tracker,
                               const std::function<Status(int64_t)>& collect, const JobContext& job) {
@@ -20,17 +34,23 @@ Result<FedFrames> feedTracker(const Take& take, const Ingredients& in, MotionTra
     constexpr int64_t kPortions_per_s = 10;
     const auto portion = static_cast<int64_t>(in.decoder.train.sample_rate_hz) / kPortions_per_s;
     int64_t watermark = 0;
+    double last_sample = -1;
+    const auto hole = static_cast<double>(limits::kLongestHole_s * kPortions_per_s * portion);
     while (true) {
         auto reading = readings->next();
         if (!reading)
             return reading.error();
         const bool ended = !reading->has_value();
         const double sample = ended ? 0 : (*reading)->sample;
-        if (ended || sample >= static_cast<double>(watermark + portion)) {
-            watermark = ended ? std::max(in.sample_count, watermark) : static_cast<int64_t>(sample);
+        if (!ended && last_sample >= 0 && sample > last_sample + hole)
+            return holeOfReadings(take, last_sample, sample, in.decoder.train.sample_rate_hz);
+        const int64_t reached = ended ? std::max(in.sample_count, watermark) : static_cast<int64_t>(sample);
+        while (watermark < reached && (ended || reached >= watermark + portion)) {
+            // In steps also over a hole, so that it can be cancelled there.
+            watermark = reached < watermark + 2 * portion ? reached : watermark + portion;
             // Ranges go with their arrival, which lies after the pulse: none that belongs before is still to
             // come.
-            while (*range && (ended || (*range)->pulse_sample < watermark)) {
+            while (*range && ((ended && watermark == reached) || (*range)->pulse_sample < watermark)) {
                 tracker.add(**range);
                 range = ranges->next();
                 if (!range)
@@ -44,6 +64,7 @@ Result<FedFrames> feedTracker(const Take& take, const Ingredients& in, MotionTra
         }
         if (ended)
             return frames;
+        last_sample = sample;
         frames.seen += 1;
         frames.lost += (*reading)->corrected_bits ? 0 : 1;
         tracker.add(**reading);

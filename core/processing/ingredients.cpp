@@ -78,6 +78,29 @@ Result<Calibration> chooseCalibration(const Take& take, const ProcessRequest& re
     return in_force->value;
 }
 
+/// Without a calibration readings are counts; another maker's in SI, which may be negative, would be taken
+/// for them.
+Status checkCounts(const Take& take) {
+    constexpr int kLookedAt = 2000;
+    auto readings = take.readings(kPrimaryRun);
+    if (!readings)
+        return readings.error();
+    for (int i = 0; i < kLookedAt; ++i) {
+        const auto reading = readings->next();
+        if (!reading)
+            return reading.error();
+        if (!*reading)
+            break;
+        for (const auto& count : (*reading)->counts)
+            if (count.value_or(0) < kCountsMin)
+                return unusableTake(
+                    take, "it has no calibration, and its readings are no counts: some are negative",
+                    "Give it a calibration; for readings in rad/s and m/s^2 one with zero 0 and "
+                    "the identity");
+    }
+    return Done{};
+}
+
 Result<Actor> chooseActor(const Take& take, const ProcessRequest& request, Ingredients& in,
                           std::vector<std::string>& warnings) {
     if (request.actor)
@@ -128,7 +151,7 @@ Status checkSensors(const Take& take, const TrackerSettings& tracker, const Suit
         std::ranges::all_of(suit.boards, [](const Board& board) { return board.segment.empty(); }))
         return unusableTake(
             take, "none of its boards sits on a segment of the body",
-            "Say where they sit when it is imported (--map), or look at single sensors with orient");
+            "Say where they sit when it is imported (--map); single sensors need no body (verb orient)");
     if (take.level() != TakeLevel::kReadings || take.suitIds().size() > 1)
         return Done{};
     const auto measured = take.measured();
@@ -147,8 +170,9 @@ Status checkSensors(const Take& take, const TrackerSettings& tracker, const Suit
     const bool has_any = (asked.accelerometers && !no_forces) || (asked.gyroscopes && !no_rates) ||
                          (asked.distances && !no_distances);
     if (!has_any || (no_rates && !(asked.distances && !no_distances)))
-        return unusableTake(take, "it has " + missing + ", so this estimator has too little to go by",
-                            "Use --estimator orientation, which takes attitudes and accelerations");
+        return unusableTake(
+            take, "it has " + missing + ", so this estimator has too little to go by",
+            "Process it as independent sensors, by attitudes and accelerations (--estimator orientation)");
     if (!missing.empty())
         warnings.push_back("The take has " + missing + "; the poses are made without.");
     return Done{};
@@ -182,6 +206,9 @@ Result<Ingredients> gatherIngredients(const Take& take, const ProcessRequest& re
     if (!calibration)
         return calibration.error();
     in.calibration = *calibration;
+    if (!request.calibration && !in.calibration_id && take.level() == TakeLevel::kReadings)
+        if (Status counts = checkCounts(take); !counts)
+            return counts.error();
     if (Status fits = checkCalibration(take, in.suit, in.calibration, warnings); !fits)
         return fits.error();
     in.lack = lackOfTake(take, in.suit, in.calibration);
@@ -196,15 +223,22 @@ Result<Ingredients> gatherIngredients(const Take& take, const ProcessRequest& re
         in.rest = {(*rest)->first, (*rest)->last};
     else if (!(*estimator)->whole_take)
         warnings.push_back("No rest pose is marked: the motion is believed to begin in it.");
+    if (!in.rest && take.level() == TakeLevel::kReadings) {  // it begins with its first reading
+        auto readings = take.readings(kPrimaryRun);
+        auto first = readings ? readings->next() : readings.error();
+        if (!first)
+            return first.error();
+        in.first_sample = *first ? static_cast<int64_t>((*first)->sample) : 0;
+    }
     if (request.tracker.root_given) {
         auto roots = take.externalRoot();
         if (!roots)
             return roots.error();
         in.roots = *roots;
         if (in.roots.empty())
-            return unusableTake(
-                take, "the root is to be given, but the take has no external_root rows",
-                "Use --root free, or attach the other system's motion with --as external-root");
+            return unusableTake(take, "the root is to be given, but the take has no external_root rows",
+                                "Leave the root free (--root free), or attach the other system's motion "
+                                "(--as external-root)");
     }
     auto contacts = take.editedContacts();
     if (!contacts)

@@ -101,7 +101,8 @@ private:
         if (!suit_)
             return;
         const auto stored = in_.calibration.empty() ? std::nullopt : keep(take_.calibrationInForce());
-        in_.lack = lackOfTake(take_, *suit_, stored ? stored->value : nominalCalibration(*suit_));
+        calibration_ = stored ? stored->value : nominalCalibration(*suit_);
+        in_.lack = lackOfTake(take_, *suit_, calibration_);
         if (gradeOf(in_.lack, "AGD") == Grade::kNotUsable)
             in_.problems.push_back("Not usable: " + lackClause(in_.lack));
         else if (!in_.lack.isNone())
@@ -184,7 +185,8 @@ private:
 
     void judgeBoards() {
         if (const auto run = lastRun("inertial"); run && suit_)
-            in_.board_quality = keep(boardQuality(take_, *suit_, *run)).value_or(std::vector<ReportBoard>{});
+            in_.board_quality =
+                keep(boardQuality(take_, *suit_, calibration_, *run)).value_or(std::vector<ReportBoard>{});
     }
 
     void judgePairs() {
@@ -208,6 +210,7 @@ private:
     const JobContext& job_;
     TakeInspection in_;
     std::optional<Suit> suit_;
+    Calibration calibration_;  ///< in force, else the nominal one
 };
 
 template <class Rows>

@@ -115,7 +115,7 @@ Status processSound(const Take& take, const Ingredients& in, const TrackerSettin
 Status processReadings(const Take& take, const Ingredients& in, const TrackerSettings& settings,
                        ResultRuns& results, const JobContext& job) {
     auto created = MotionTracker::create(in.suit, in.calibration, in.actor, in.decoder.train.sample_rate_hz,
-                                         in.rest, settings);
+                                         in.restOrBegin(), settings);
     if (!created)
         return created.error();
     MotionTracker& tracker = **created;

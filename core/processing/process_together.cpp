@@ -177,7 +177,7 @@ private:
         };
         Line line{&in};
         auto tracker = MotionTracker::create(in.suit, in.calibration, in.actor,
-                                             in.decoder.train.sample_rate_hz, in.rest, settings);
+                                             in.decoder.train.sample_rate_hz, in.restOrBegin(), settings);
         if (!tracker)
             return tracker.error();
         line.tracker = std::move(*tracker);

@@ -68,7 +68,7 @@ Result<Devices> devicesOf(const Take& data, const Ingredients& in, const JobCont
     settings.g_m_per_s2 = data.header().g_m_per_s2;
     settings.contacts = in.contacts;
     auto tracker = MotionTracker::create(in.suit, in.calibration, in.actor, in.decoder.train.sample_rate_hz,
-                                         in.rest, settings);
+                                         in.restOrBegin(), settings);
     if (!tracker)
         return tracker.error();
     TimedMotion motion{in.actor.skeleton, {}};

@@ -12,7 +12,7 @@ namespace {
 /// An axis is first known after its first refresh: no reading is owed before each had one.
 constexpr int64_t kJoiningFrames = kCounterPeriod;
 
-void count(const InertialReading& reading, ReportBoard& board) {
+void count(const InertialReading& reading, const BoardCalibration* known, ReportBoard& board) {
     board.frames_lost += reading.corrected_bits ? 0 : 1;
     board.corrected_bits += reading.corrected_bits.value_or(0);
     if (reading.frame < kJoiningFrames)
@@ -20,7 +20,8 @@ void count(const InertialReading& reading, ReportBoard& board) {
     for (size_t i = 0; i < reading.counts.size(); ++i)
         if (const std::optional<double>& counts = reading.counts[i]) {
             ++board.readings_present;
-            const bool clipped = *counts == kCountsMin || *counts == kCountsMax;
+            const bool of_counts = !known || (i < 3 ? known->gyro : known->accel).isOfCounts();
+            const bool clipped = of_counts && (*counts == kCountsMin || *counts == kCountsMax);
             (i < 3 ? board.clipped_gyro : board.clipped_accel) += clipped;
         }
 }
@@ -138,10 +139,14 @@ Result<std::vector<Pulse>> wholePulses(const Take& take) {
 
 }  // namespace
 
-Result<std::vector<ReportBoard>> boardQuality(const Take& take, const Suit& suit, int64_t inertial_run) {
+Result<std::vector<ReportBoard>> boardQuality(const Take& take, const Suit& suit,
+                                              const Calibration& calibration, int64_t inertial_run) {
     std::vector<ReportBoard> boards;
-    for (const Board& board : suit.boards)
+    std::vector<const BoardCalibration*> known;
+    for (const Board& board : suit.boards) {
         boards.push_back({board.id, board.segment});
+        known.push_back(calibration.findBoard(board.id));
+    }
     auto readings = take.readings(inertial_run);
     if (!readings)
         return readings.error();
@@ -156,7 +161,7 @@ Result<std::vector<ReportBoard>> boardQuality(const Take& take, const Suit& suit
             break;
         const auto board = static_cast<size_t>((*reading)->board);
         frames = std::max({frames, (*reading)->frame + 1, ++rows[board]});
-        count(**reading, boards[board]);
+        count(**reading, known[board], boards[board]);
         has_gyroscopes = has_gyroscopes || (*reading)->counts[0];
         has_accelerometers = has_accelerometers || (*reading)->counts[3];
     }

@@ -13,7 +13,8 @@ namespace noctule {
 
 /// Of every board, from the inertial rows of a run. All boards owe as many frames as the longest stream has,
 /// and readings from when every axis can be known. Clipped ones count from then on too.
-Result<std::vector<ReportBoard>> boardQuality(const Take& take, const Suit& suit, int64_t inertial_run);
+Result<std::vector<ReportBoard>> boardQuality(const Take& take, const Suit& suit,
+                                              const Calibration& calibration, int64_t inertial_run);
 
 /// What became of every pulse at every board, from the range rows of a run; without a run nothing was heard.
 /// `motion` and `sight` (both or neither) tell what the pose explains.

@@ -35,7 +35,7 @@ Result<std::vector<TakeSubject>> chooseSubjects(const Take& take, const ProcessR
     }
     if (chosen.size() > 1 && (request.calibration || request.actor))
         return Error{ErrorKind::kUsage, "one calibration or actor cannot be that of several subjects",
-                     "Add --subjects NAME, one of " + namesOf(*all)};
+                     "Choose one of " + namesOf(*all) + " (--subjects NAME)"};
     return chosen;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/job/limits.h"
 
@@ -116,7 +117,7 @@ Result<ReadingCursor> ReadingCursor::open(const RunOfTake& run) {
         if (!rows)
             return rows.error();
         rows->bind(0, int64_t{board});
-        Lane lane{board, std::move(*rows), std::nullopt};
+        Lane lane{board, std::move(*rows), {}, {}, 0};
         if (const Status first = cursor.advance(lane); !first)
             return first.error();
         cursor.lanes_.push_back(std::move(lane));
@@ -126,18 +127,43 @@ Result<ReadingCursor> ReadingCursor::open(const RunOfTake& run) {
 
 Status ReadingCursor::advance(Lane& lane) {
     lane.head.reset();
+    const double hole = static_cast<double>(limits::kLongestHole_s) * run_.sample_rate_hz;
+    while (true) {
+        auto reading = lane.ahead ? std::exchange(lane.ahead, {}) : readOn(lane);
+        if (!reading)
+            return reading.error();
+        if (!*reading)
+            return Done{};
+        const bool is_far = lane.last_sample > 0 && (*reading)->sample > lane.last_sample + hole;
+        if (is_far) {
+            auto after = readOn(lane);
+            if (!after)
+                return after.error();
+            lane.ahead = *after;
+        }
+        if (!is_far || (lane.ahead && lane.ahead->sample >= (*reading)->sample)) {
+            lane.head = *reading;
+            lane.last_sample = (*reading)->sample;
+            return Done{};
+        }
+        run_.log->add(rowsOfSuit("inertial", run_.suit),
+                      "board " + std::to_string(lane.board) + " frame " + std::to_string((*reading)->frame),
+                      "sample lies far beyond those around it");
+    }
+}
+
+/// The next row that can be read.
+Result<std::optional<InertialReading>> ReadingCursor::readOn(Lane& lane) {
     while (true) {
         const Result<bool> row = lane.rows.step();
         if (!row)
             return row.error();
         if (!*row)
-            return Done{};
+            return std::optional<InertialReading>();
         InertialReading reading;
         const RowVerdict verdict = readReading(lane.rows, lane.board, reading);
-        if (verdict.empty()) {
-            lane.head = reading;
-            return Done{};
-        }
+        if (verdict.empty())
+            return std::optional(reading);
         run_.log->add(rowsOfSuit("inertial", run_.suit),
                       "board " + std::to_string(lane.board) + " frame " +
                           std::to_string(lane.rows.integer(0).value_or(-1)),

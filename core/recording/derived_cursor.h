@@ -24,6 +24,7 @@ struct RunOfTake {
     int suit = 0;  ///< counts from 1
     int board_count = 0;
     int source_count = 0;
+    double sample_rate_hz = 0;
     std::optional<std::pair<int64_t, int64_t>> pulses{};  ///< only ranges of pulses with these ids
 };
 
@@ -37,10 +38,12 @@ private:
     struct Lane {
         int board = 0;
         Statement rows;
-        std::optional<InertialReading> head;
+        std::optional<InertialReading> head, ahead;  ///< the one after it, where that had to be looked at
+        double last_sample = 0;                      ///< of the heads so far
     };
     explicit ReadingCursor(const RunOfTake& run) : run_(run) {}
     Status advance(Lane& lane);
+    Result<std::optional<InertialReading>> readOn(Lane& lane);
 
     RunOfTake run_;
     std::vector<Lane> lanes_;  ///< one per board: the primary key keeps a board's frames in order

@@ -79,21 +79,30 @@ TakeHeader headerFrom(const std::map<std::string, std::string>& meta) {
     return header;
 }
 
-/// One after the last reading, or of a suit without readings, such as a room's, after its last pulse.
+/// One after the last reading, or of a suit without readings, such as a room's, after its last pulse. Single
+/// rows that lie more than `hole` beyond the others are damage.
 Result<int64_t> samplesOfReadings(const Database& database, const TakeSchema& schema, int suit,
-                                  int64_t last_sample) {
+                                  int64_t last_sample, int64_t hole) {
     for (const std::string table : {"inertial", "pulse"}) {
         if (!schema.has(table))
             continue;
         const std::string primary =
             table == "inertial" ? schema.expression(table, "run") + "=0 AND " : std::string();
-        const auto last =
-            database.queryInteger("SELECT CAST(max(sample) AS INTEGER)+1 FROM " + table + " WHERE " +
-                                  primary + schema.expression(table, "suit") + "=" + std::to_string(suit));
-        if (!last)
-            return last.error();
-        if (last->value_or(0) > 0)
-            return std::clamp<int64_t>(**last, 0, last_sample);
+        auto rows = database.prepare("SELECT CAST(sample AS INTEGER)+1 FROM " + table + " WHERE " + primary +
+                                     schema.expression(table, "suit") + "=" + std::to_string(suit) +
+                                     " AND typeof(sample) IN ('integer','real') AND sample BETWEEN 0 AND " +
+                                     std::to_string(last_sample) + " ORDER BY sample DESC LIMIT 16");
+        if (!rows)
+            return rows.error();
+        std::vector<int64_t> ends;
+        for (auto row = rows->step(); !row || *row; row = rows->step()) {
+            if (!row)
+                return row.error();
+            ends.push_back(rows->integer(0).value_or(0));
+        }
+        for (size_t i = 0; i < ends.size(); ++i)
+            if (i + 1 == ends.size() || ends[i] <= ends[i + 1] + hole)
+                return std::min(ends[i], last_sample);
     }
     return int64_t{0};
 }
@@ -304,7 +313,8 @@ Result<int64_t> Take::sampleCount(int suit) const {
     if (stated > 0 && level() == TakeLevel::kReadings)
         return std::llround(stated * rate_hz(suit) / rate_hz(1));
     if (level() == TakeLevel::kReadings)
-        return samplesOfReadings(*database_, *schema_, suit, lastSample());
+        return samplesOfReadings(*database_, *schema_, suit, lastSample(),
+                                 limits::kLongestHole_s * std::llround(rate_hz(suit)));
     if (!schema_->has("adc_block"))
         return int64_t{0};
     // The last few only: they stand in order, and walking through all sound takes long. A few, for the very

@@ -315,13 +315,15 @@ Result<RunOfTake> Take::runOfTake(int64_t run, int suit) const {
     if (!board_count)
         return board_count.error();
     const auto source_count = sourceCount(suit);
+    const auto rate_hz = sampleRate_hz();
     return RunOfTake{database_.get(),
                      schema_.get(),
                      log_.get(),
                      run,
                      suit,
                      *board_count,
-                     source_count ? *source_count : 0};
+                     source_count ? *source_count : 0,
+                     rate_hz ? static_cast<double>(*rate_hz) : 0};
 }
 
 Result<ReadingCursor> Take::readings(int64_t run, int suit) const {

@@ -67,6 +67,8 @@ private:
         if (!comparison_)
             return;
         verdict_.mean_error_deg = comparison_->mean_deg;
+        if (const double moves_s = report_.take.duration_s - report_.take.rest_s; moves_s > 0)
+            verdict_.compared_share = std::min(1.0, comparison_->duration_s / moves_s);
         charge(VerdictReason::kMeanError,
                gradeOf(comparison_->mean_deg, limits_.good_mean_deg, limits_.usable_mean_deg));
         const auto worst = std::max_element(comparison_->joints.begin(), comparison_->joints.end(),

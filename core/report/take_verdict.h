@@ -80,6 +80,7 @@ struct TakeVerdict {
     CalibrationLack lack;                    ///< of what the run was made with
 
     std::optional<double> mean_error_deg;     ///< over joints, against the reference
+    double compared_share = 1;                ///< of the take after its rest: covered by the reference, 0..1
     double backed_share = 0;                  ///< of joints and time: backed by ranges
     std::optional<double> residual_rms_m;     ///< of used ranges; a few echoes make it large
     std::optional<double> residual_median_m;  ///< of their sizes

@@ -101,11 +101,12 @@ Sampler rootPlaceSampler(int component) {
     };
 }
 
-Sampler samplerOf(const Skeleton& skeleton, const CurveChoice& choice, CurveUnit& unit) {
-    const int index = skeleton.find(choice.joint);
+Sampler samplerOf(const Skeleton& skeleton, const Skeleton& freedoms_of, const CurveChoice& choice,
+                  CurveUnit& unit) {
+    const int index = skeleton.find(choice.joint), described = freedoms_of.find(choice.joint);
     if (index < 0)
         return {};
-    const Joint& joint = skeleton.joint(index);
+    const Joint& joint = described < 0 ? skeleton.joint(index) : freedoms_of.joint(described);
     unit = CurveUnit::kDegrees;
     if (index == 0) {
         if (const int turn = indexIn(kRootTurns, choice.freedom); turn >= 0)
@@ -157,9 +158,10 @@ CurveChoice mainCurve(const Skeleton& skeleton, const std::string& joint) {
     return found.dof.empty() ? CurveChoice{} : CurveChoice{joint, found.dof.front().name};
 }
 
-MotionCurve motionCurve(const TimedMotion& motion, const CurveChoice& choice) {
+MotionCurve motionCurve(const TimedMotion& motion, const CurveChoice& choice, const Skeleton* freedoms_of) {
     MotionCurve curve;
-    const Sampler sample = samplerOf(motion.skeleton, choice, curve.unit);
+    const Sampler sample =
+        samplerOf(motion.skeleton, freedoms_of ? *freedoms_of : motion.skeleton, choice, curve.unit);
     if (!sample)
         return curve;
     const double scale = curve.unit == CurveUnit::kDegrees ? 180 / std::numbers::pi : 1;

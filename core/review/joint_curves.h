@@ -37,7 +37,9 @@ struct MotionCurve {
     SeriesPyramid low, high;  ///< value -+ 2 sigma; empty when the motion carries none
 };
 
-/// Empty when the motion's skeleton has no such joint or freedom.
-MotionCurve motionCurve(const TimedMotion& motion, const CurveChoice& choice);
+/// Empty when the motion's skeleton has no such joint or freedom. `freedoms_of`: whose joints the freedoms
+/// are, where the motion's own may have others (a knee that is a ball); null: the motion's.
+MotionCurve motionCurve(const TimedMotion& motion, const CurveChoice& choice,
+                        const Skeleton* freedoms_of = nullptr);
 
 }  // namespace noctule

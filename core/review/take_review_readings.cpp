@@ -15,7 +15,7 @@ public:
     explicit Triad(const AxisCalibration& calibration)
         : calibration_(calibration),
           held_counts_(calibration.zero_counts),
-          is_si_(calibration.zero_counts.isZero() && calibration.matrix.isIdentity()) {}
+          is_si_(!calibration.isOfCounts()) {}
 
     /// Appends three values; true when one of them was clipped.
     bool append(const std::optional<double>* counts, std::vector<float>* value) {

@@ -22,6 +22,9 @@ struct AxisCalibration {
     std::optional<Vector3d> sigma_zero_counts;
 
     Vector3d apply(const Vector3d& counts) const { return matrix * (counts - zero_counts); }
+    /// Else of SI values, as other makers' recordings hold them: zero and matrix correct them, nothing clips.
+    /// The zeros of 12-bit counts lie near 2048, those of rad/s and m/s^2 below 10.
+    bool isOfCounts() const { return zero_counts.cwiseAbs().maxCoeff() > 100; }
     /// zero 2048, full scale / 2048 on the diagonal
     static AxisCalibration nominal(double full_scale);
 };

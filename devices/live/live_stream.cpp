@@ -2,6 +2,7 @@
 // The beginning and the end of a LiveSession's streams.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/processing/write_runs.h"
 #include "devices/live/live_plans.h"
@@ -225,6 +226,7 @@ StreamResult LiveSession::finishNewest(std::optional<double> patience_s) {
     if (!newest())
         stopAfterLast();
     result.warnings = stream->warnings;
+    std::ranges::move(stream->feed->boxWarnings(), std::back_inserter(result.warnings));
     if (stream->recorder)
         result.recording = stream->recorder->finish();
     if (result.recording)

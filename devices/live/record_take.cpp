@@ -55,14 +55,23 @@ std::string progressText(const LiveSession& session, double reached_s) {
            std::string(recording->is_locked ? "; another program holds the take, what comes waits" : "");
 }
 
+using Clock = std::chrono::steady_clock;
+
+/// A box that is gone counts no samples: then the time of day ends a take.
+bool isOver(Clock::time_point begun, double seconds) {
+    return std::chrono::duration<double>(Clock::now() - begun).count() >= seconds;
+}
+
 /// Until the time is over, somebody stops it or ends it from elsewhere, or it ends by itself.
 template <class Ended>
 bool watch(LiveSession& session, std::optional<double> seconds, const JobContext& job,
            Ended ended_elsewhere) {
     const double rate_hz = session.status()->hello->sample_rate_hz;
+    const auto begun = Clock::now();
     while (session.status()->stream_is_open && !session.recording()->ended && !ended_elsewhere()) {
         const double reached_s = static_cast<double>(session.reachedSample()) / rate_hz;
-        if (seconds && reached_s >= *seconds)
+        if (seconds && (reached_s >= *seconds ||
+                        (session.status()->link != LinkState::kStreaming && isOver(begun, *seconds))))
             return false;
         if (job.cancelled())
             return true;
@@ -193,9 +202,10 @@ std::string groupProgress(const LiveGroup& group, double reached_s) {
 /// As watch(), until the slowest suit that flows has come so far.
 bool watchAll(const LiveGroup& group, std::optional<double> seconds, const JobContext& job) {
     double shown_s = 0;
+    const auto begun = Clock::now();
     while (group.isRecording()) {
         const auto reached_s = group.reached_s();
-        if (seconds && reached_s && *reached_s >= *seconds)
+        if (seconds && (reached_s ? *reached_s >= *seconds : isOver(begun, *seconds)))
             return false;
         if (job.cancelled())
             return true;

@@ -15,6 +15,7 @@ namespace {
 /// box tells only once a second that one has gone; a rule on the samples alone gives the same gaps from
 /// file.)
 constexpr int64_t kFewestSilentSamples = 64;
+constexpr size_t kBoxWarnings = 8;  ///< a box may send without end
 
 bool isSilent(const link::SoundBlock& block, size_t board) {
     for (size_t i = board; i < block.values.size(); i += static_cast<size_t>(block.board_count))
@@ -134,18 +135,27 @@ void StreamFeed::give(const link::BoxStatus& status) {
 }
 
 void StreamFeed::give(const link::BoxError& error) {
+    const std::string at = takeTime(error.sample - clock_.origin, clock_.sample_rate_hz);
+    const std::string said = visibleText(shortText(error.text, limits::kBoxText));
+    const bool is_good = error.code == link::Code::kOk || error.code == link::Code::kBoardFound;
+    if (!is_good && box_warnings_.size() < kBoxWarnings)
+        box_warnings_.push_back("The driver box said at " + at + ": " + nameOf(error.code) +
+                                (said.empty() ? "" : ", " + said) + ".");
     if (!errors_.allow(reached_sample_, clock_.sample_rate_hz)) {
         ++errors_left_out_;
         return;
     }
-    handNote(
-        takeTime(error.sample - clock_.origin, clock_.sample_rate_hz) + " Driver box: " +
-        (error.text.empty() ? nameOf(error.code) : visibleText(shortText(error.text, limits::kBoxText))));
+    handNote(at + " Driver box: " + (said.empty() ? nameOf(error.code) : said));
 }
 
 void StreamFeed::addMarker(const std::string& kind, const std::string& label, std::optional<int64_t> sample) {
     const std::lock_guard lock(mutex_);
     hand(MarkerRow{sample.value_or(reached_sample_), kind, label});
+}
+
+std::vector<std::string> StreamFeed::boxWarnings() {
+    const std::lock_guard lock(mutex_);
+    return box_warnings_;
 }
 
 void StreamFeed::addNote(const std::string& text) {

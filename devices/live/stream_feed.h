@@ -33,6 +33,9 @@ public:
     /// The stream has ended: what was held back is handed on.
     void flush();
 
+    /// Whole sentences: the first few errors of the box.
+    std::vector<std::string> boxWarnings();
+
     /// One after the last sample that came.
     int64_t reachedSample() const { return reached_sample_; }
     /// The device's time that is 0 here.
@@ -71,6 +74,7 @@ private:
     PulseRate pulse_rate_;
     Allowance errors_, statuses_;
     int64_t errors_left_out_ = 0;
+    std::vector<std::string> box_warnings_;
     int64_t last_pulse_id_ = 0;
     std::vector<Silence> silences_;  ///< per board, not yet recorded
 };

@@ -2300,6 +2300,10 @@
         <translation>%1: %2 von %3 fehlen</translation>
     </message>
     <message>
+        <source>%1: %2 of %3 attitudes are missing or of no unit length</source>
+        <translation>%1: %2 von %3 Lagen fehlen oder haben nicht die Länge eins</translation>
+    </message>
+    <message>
         <source>%1: %2 of %3 rows lack a marker of a joint and were left out.</source>
         <translation>%1: in %2 von %3 Zeilen fehlt eine Marke eines Gelenks; sie wurden ausgelassen.</translation>
     </message>
@@ -2356,6 +2360,10 @@
         <translation>%1: enthält kein Bild einer Bewegung</translation>
     </message>
     <message>
+        <source>%1: holds no reading that can be used%2</source>
+        <translation>%1: enthält keinen brauchbaren Messwert%2</translation>
+    </message>
+    <message>
         <source>%1: holds one row, a pose to calibrate with and no recording</source>
         <translation>%1: enthält eine einzige Zeile, eine Pose zum Kalibrieren und keine Aufnahme</translation>
     </message>
@@ -2386,6 +2394,10 @@
     <message>
         <source>%1: no marker carries a joint's name; they are %2</source>
         <translation>%1: keine Marke trägt den Namen eines Gelenks; sie sind %2</translation>
+    </message>
+    <message>
+        <source>%1: rates are stated as deg/s, but gravity shows rad/s; they were taken as rad/s</source>
+        <translation>%1: Drehraten sind als deg/s angegeben, die Schwerkraft zeigt aber rad/s; sie gelten als rad/s</translation>
     </message>
     <message>
         <source>%1: rates reach %2 rad/s, which no gyroscope measures; they look like deg/s and were left as they are. Give the file as a table with a map that states deg/s</source>
@@ -2548,6 +2560,10 @@
         <translation>Die Aufnahme noch einmal so exportieren, dass alle Felder eines Sensors gleich lang sind</translation>
     </message>
     <message>
+        <source>Export the recording again, with rates and accelerations or attitudes of unit length</source>
+        <translation>Die Aufzeichnung neu exportieren, mit Drehraten und Beschleunigungen oder Lagen der Länge eins</translation>
+    </message>
+    <message>
         <source>Export the recording as MVNX again</source>
         <translation>Die Aufnahme noch einmal als MVNX exportieren</translation>
     </message>
@@ -2576,8 +2592,8 @@
         <translation>Die Datei jedes Sensors einmal angeben, und nur die Dateien einer einzigen Aufnahme</translation>
     </message>
     <message>
-        <source>Give it: --rate HZ, 1 to 10000</source>
-        <translation>Sie angeben: --rate HZ, 1 bis 10000</translation>
+        <source>Give it, 1 to 10000 Hz (--rate HZ)</source>
+        <translation>Sie angeben, 1 bis 10000 Hz (--rate HZ)</translation>
     </message>
     <message>
         <source>Give it: --up y (OpenSim) or --up z (most laboratories)</source>
@@ -2592,8 +2608,8 @@
         <translation>Den Ordner angeben, in den die Aufnahme geschrieben wurde</translation>
     </message>
     <message>
-        <source>Give the rate of the recording: --rate HZ</source>
-        <translation>Die Rate der Aufnahme angeben: --rate HZ</translation>
+        <source>Give the rate of the recording (--rate HZ)</source>
+        <translation>Die Rate der Aufzeichnung angeben (--rate HZ)</translation>
     </message>
     <message>
         <source>Gyroscopes are deg/s and accelerometers g in x-IMU3's messages; they were converted to rad/s and m/s^2</source>
@@ -2740,8 +2756,8 @@
         <translation>Die Datei enthält keinen ganzen Körper mit Positionen und bringt daher keine Referenz mit</translation>
     </message>
     <message>
-        <source>The header states %1 rows a second, SampleTimeFine shows %2; the header's was taken, --rate HZ replaces it</source>
-        <translation>Der Kopf nennt %1 Zeilen je Sekunde, SampleTimeFine zeigt %2; der Wert im Kopf wurde genommen, --rate HZ ersetzt ihn</translation>
+        <source>The header states %1 rows a second, SampleTimeFine shows %2; the header's was taken (--rate HZ replaces it)</source>
+        <translation>Der Kopf nennt %1 Zeilen je Sekunde, SampleTimeFine zeigt %2; die des Kopfes gilt (--rate HZ ersetzt sie)</translation>
     </message>
     <message>
         <source>The header states %1 rows a second, the times show %2; the times were believed</source>
@@ -2780,16 +2796,16 @@
         <translation>Timestamp (us),Gyroscope X</translation>
     </message>
     <message>
+        <source>Write a map as core/import/README.md shows (--map MAP.json)</source>
+        <translation>Eine Zuordnung schreiben, wie core/import/README.md zeigt (--map MAP.json)</translation>
+    </message>
+    <message>
         <source>Write enu, nwu, ned, opensim or noctule</source>
         <translation>enu, nwu, ned, opensim oder noctule schreiben</translation>
     </message>
     <message>
         <source>Write it as ["name", ...]</source>
         <translation>Als ["name", ...] schreiben</translation>
-    </message>
-    <message>
-        <source>Write one as core/import/README.md shows and give it: --map MAP.json</source>
-        <translation>Eine schreiben, wie core/import/README.md zeigt, und sie angeben: --map MAP.json</translation>
     </message>
     <message>
         <source>Write the table with OpenSense again</source>
@@ -2832,8 +2848,8 @@
         <translation>der Kopf eines Elements ist abgeschnitten</translation>
     </message>
     <message>
-        <source>any table of numbers, with --map</source>
-        <translation>jede Tabelle mit Zahlen, mit --map</translation>
+        <source>any table of numbers</source>
+        <translation>eine Tabelle von Zahlen</translation>
     </message>
     <message>
         <source>array %1 holds %2 numbers, its dimensions ask for another count</source>
@@ -3920,20 +3936,16 @@
         <translation>passt bei keiner Verschiebung (beste Korrelation %1)</translation>
     </message>
     <message>
-        <source>fit</source>
-        <translation>passen</translation>
-    </message>
-    <message>
-        <source>fits</source>
-        <translation>passt</translation>
-    </message>
-    <message>
         <source>moves too little to tell the shift better than within %1</source>
         <translation>bewegt sich zu wenig, um die Verschiebung genauer als auf %1 zu bestimmen</translation>
     </message>
     <message>
-        <source>repeats itself: %1%2 about as well as %3</source>
-        <translation>wiederholt sich: %1%2 etwa so gut wie %3</translation>
+        <source>repeats itself: %1 fit about as well as %2</source>
+        <translation>wiederholt sich: %1 passen etwa so gut wie %2</translation>
+    </message>
+    <message>
+        <source>repeats itself: %1 fits about as well as %2</source>
+        <translation>wiederholt sich: %1 passt etwa so gut wie %2</translation>
     </message>
     <message>
         <source>the estimate</source>
@@ -3970,8 +3982,8 @@
 <context>
     <name>core/posing</name>
     <message>
-        <source>Import the recording with --assign names or auto</source>
-        <translation>Die Aufnahme mit --assign names oder auto importieren</translation>
+        <source>Import the recording again and say where each sensor sits (--assign names or auto)</source>
+        <translation>Die Aufzeichnung neu importieren und angeben, wo jeder Sensor sitzt (--assign names oder auto)</translation>
     </message>
     <message>
         <source>No walking was found: the performer is believed to stand upright in the first still second.</source>
@@ -4065,8 +4077,8 @@
         <translation>%1, und die Referenz wird an einem ausgerichtet</translation>
     </message>
     <message>
-        <source>%1, or give --align MILLISECONDS</source>
-        <translation>%1 oder --align MILLISECONDS angeben</translation>
+        <source>%1, or say at which time of the take the file begins (--align MILLISECONDS)</source>
+        <translation>%1, oder angeben, zu welcher Zeit der Aufnahme die Datei beginnt (--align MILLISECONDS)</translation>
     </message>
     <message>
         <source>%1: %2 and were left out.</source>
@@ -4093,8 +4105,8 @@
         <translation>%1: --room on braucht Anker, die Aufnahme hat keine</translation>
     </message>
     <message>
-        <source>%1: compared with run '%2' of %3, the motion %4</source>
-        <translation>%1: verglichen mit Ergebnis „%2“ von %3: die Bewegung %4</translation>
+        <source>%1: compared with run '%2', the motion %3</source>
+        <translation>%1: Verglichen mit Ergebnis „%2“: Die Bewegung %3</translation>
     </message>
     <message>
         <source>%1: has %2 already</source>
@@ -4173,8 +4185,8 @@
         <translation>%1: kein Zeitpunkt der Tabelle hat nach der Ruhehaltung eine Referenz</translation>
     </message>
     <message>
-        <source>%1: no joint that it shares with run '%2' of %3 moves for two seconds, so the shift cannot be told</source>
-        <translation>%1: kein Gelenk darin, das auch Ergebnis „%2“ von %3 hat, bewegt sich zwei Sekunden lang; die Verschiebung lässt sich nicht bestimmen</translation>
+        <source>%1: no joint that it shares with run '%2' moves for two seconds, so the shift cannot be told</source>
+        <translation>%1: Kein Gelenk, das auch Ergebnis „%2“ hat, bewegt sich zwei Sekunden lang; die Verschiebung ist nicht zu bestimmen</translation>
     </message>
     <message>
         <source>%1: none of its rows within the take shows how the hips are turned</source>
@@ -4229,6 +4241,10 @@
         <translation>%1: im zu exportierenden Teil ist keine Pose</translation>
     </message>
     <message>
+        <source>%1: there is no reading from %2 to %3, and no pose can be carried over that</source>
+        <translation>%1: Von %2 bis %3 gibt es keinen Messwert, und darüber hinweg kann keine Pose geführt werden</translation>
+    </message>
+    <message>
         <source>%1: there is no reference of %2, points cannot be judged</source>
         <translation>%1: es gibt keine Referenz von %2, Punkte sind nicht zu beurteilen</translation>
     </message>
@@ -4281,10 +4297,6 @@
         <translation>Beschleunigungssensoren und Gyroskope von %1 Platinen</translation>
     </message>
     <message>
-        <source>Add --subjects NAME, one of %1</source>
-        <translation>--subjects NAME hinzufügen, eine von %1</translation>
-    </message>
-    <message>
         <source>Anchor %1 contradicts the other anchors: it was moved, or its place was surveyed wrongly. Survey the room again.</source>
         <translation>Anker %1 widerspricht den anderen Ankern: er wurde bewegt, oder sein Ort wurde falsch eingemessen. Den Raum neu einmessen.</translation>
     </message>
@@ -4309,20 +4321,12 @@
         <translation>Aufnahmen eines einzigen Anzugs auf einmal kalibrieren</translation>
     </message>
     <message>
-        <source>Check --align</source>
-        <translation>--align prüfen</translation>
-    </message>
-    <message>
         <source>Check that it is the right file</source>
         <translation>Prüfen, ob es die richtige Datei ist</translation>
     </message>
     <message>
-        <source>Check that it shows this take, or give --align MILLISECONDS</source>
-        <translation>Prüfen, ob sie diese Aufnahme zeigt, oder --align MILLISECONDS angeben</translation>
-    </message>
-    <message>
-        <source>Check that it shows this take, or give --align MILLISECONDS, the time of the file's start on the take's clock</source>
-        <translation>Prüfen, ob sie diese Aufnahme zeigt, oder --align MILLISECONDS angeben, die Zeit des Dateianfangs auf der Uhr der Aufnahme</translation>
+        <source>Check that it shows this take, or say at which time of it the file begins (--align MILLISECONDS)</source>
+        <translation>Prüfen, ob sie diese Aufnahme zeigt, oder angeben, zu welcher Zeit der Aufnahme die Datei beginnt (--align MILLISECONDS)</translation>
     </message>
     <message>
         <source>Check that the suits heard each other</source>
@@ -4337,12 +4341,20 @@
         <translation>Kalibrierung und Körpermaße prüfen; eine andere Wahl der Sensoren kann helfen</translation>
     </message>
     <message>
+        <source>Check when it begins (--align)</source>
+        <translation>Prüfen, wann sie beginnt (--align)</translation>
+    </message>
+    <message>
         <source>Choose --from and --to within the take's duration</source>
         <translation>--from und --to innerhalb der Dauer der Aufnahme wählen</translation>
     </message>
     <message>
         <source>Choose a table that process --estimator comocap --points wrote</source>
         <translation>Eine Tabelle wählen, die process --estimator comocap --points geschrieben hat</translation>
+    </message>
+    <message>
+        <source>Choose one of %1 (--subjects NAME)</source>
+        <translation>Eine von %1 wählen (--subjects NAME)</translation>
     </message>
     <message>
         <source>Choose one that was made of this suit; its boards begin with %1</source>
@@ -4409,16 +4421,16 @@
         <translation>Dort Platz schaffen und die Aufnahme verarbeiten</translation>
     </message>
     <message>
-        <source>Give --align MILLISECONDS, the time of the file's start on the take's clock</source>
-        <translation>--align MILLISECONDS angeben, die Zeit des Dateianfangs auf der Uhr der Aufnahme</translation>
-    </message>
-    <message>
         <source>Give columns for Hips, Spine, LeftUpLeg and RightUpLeg, or a BVH file</source>
         <translation>Spalten für Hips, Spine, LeftUpLeg und RightUpLeg oder eine BVH-Datei angeben</translation>
     </message>
     <message>
         <source>Give columns of joints that do not lie on a line</source>
         <translation>Spalten von Gelenken angeben, die nicht auf einer Geraden liegen</translation>
+    </message>
+    <message>
+        <source>Give it a calibration; for readings in rad/s and m/s^2 one with zero 0 and the identity</source>
+        <translation>Ihr eine Kalibrierung geben; für Messwerte in rad/s und m/s^2 eine mit Nullpunkt 0 und der Einheitsmatrix</translation>
     </message>
     <message>
         <source>Give the calibration of this suit</source>
@@ -4429,8 +4441,8 @@
         <translation>Geben Sie die Datei dieses Raums an</translation>
     </message>
     <message>
-        <source>Give the motion as BVH, or attach the positions with --as external-root</source>
-        <translation>Die Bewegung als BVH angeben oder die Positionen mit --as external-root anhängen</translation>
+        <source>Give the motion as BVH, or attach the positions as the root's (--as external-root)</source>
+        <translation>Die Bewegung als BVH geben oder die Positionen als die der Wurzel anhängen (--as external-root)</translation>
     </message>
     <message>
         <source>Gravity: rms error of its length at rest. Turns: rms angle between gravity carried by the gyroscope and gravity seen.</source>
@@ -4499,6 +4511,10 @@
     <message>
         <source>Leave out --room</source>
         <translation>--room weglassen</translation>
+    </message>
+    <message>
+        <source>Leave the root free (--root free), or attach the other system's motion (--as external-root)</source>
+        <translation>Die Wurzel frei lassen (--root free) oder die Bewegung des anderen Systems anhängen (--as external-root)</translation>
     </message>
     <message>
         <source>Leave this subject out with --subjects, or record again</source>
@@ -4597,6 +4613,10 @@
         <translation>Erneut verarbeiten</translation>
     </message>
     <message>
+        <source>Process it as independent sensors, by attitudes and accelerations (--estimator orientation)</source>
+        <translation>Als unabhängige Sensoren verarbeiten, nach Lagen und Beschleunigungen (--estimator orientation)</translation>
+    </message>
+    <message>
         <source>Process sigma</source>
         <translation>Prozess-Sigma</translation>
     </message>
@@ -4637,6 +4657,10 @@
         <translation>Nehmen Sie eine mit `noctule --batch drive --record` auf, oder nennen Sie eine, die `inspect` aufzählt</translation>
     </message>
     <message>
+        <source>Record or import it as two takes; if the take is damaged, correct the instants of its readings</source>
+        <translation>Als zwei Aufnahmen aufzeichnen oder importieren; ist die Aufnahme beschädigt, die Zeitpunkte ihrer Messwerte berichtigen</translation>
+    </message>
+    <message>
         <source>Record somebody in a suit who walks past them</source>
         <translation>Jemanden im Anzug aufnehmen, der an ihnen vorbeigeht</translation>
     </message>
@@ -4673,8 +4697,12 @@
         <translation>Zuerst `noctule --batch process %1` ausführen</translation>
     </message>
     <message>
-        <source>Say where they sit when it is imported (--map), or look at single sensors with orient</source>
-        <translation>Beim Import sagen, wo sie sitzen (--map), oder einzelne Sensoren mit orient ansehen</translation>
+        <source>Say at which time of the take the file begins (--align MILLISECONDS)</source>
+        <translation>Angeben, zu welcher Zeit der Aufnahme die Datei beginnt (--align MILLISECONDS)</translation>
+    </message>
+    <message>
+        <source>Say where they sit when it is imported (--map); single sensors need no body (verb orient)</source>
+        <translation>Beim Import angeben, wo sie sitzen (--map); einzelne Sensoren brauchen keinen Körper (Verb orient)</translation>
     </message>
     <message>
         <source>Sensor %1 has neither readings nor attitudes and is left out.</source>
@@ -4841,16 +4869,8 @@
         <translation>Zwei Personen nahe beieinander</translation>
     </message>
     <message>
-        <source>Use --estimator orientation, which takes attitudes and accelerations</source>
-        <translation>--estimator orientation verwenden, der Lagen und Beschleunigungen nimmt</translation>
-    </message>
-    <message>
         <source>Use --overwrite to replace it</source>
         <translation>Mit --overwrite ersetzen</translation>
-    </message>
-    <message>
-        <source>Use --root free, or attach the other system's motion with --as external-root</source>
-        <translation>--root free verwenden oder die Bewegung des anderen Systems mit --as external-root anhängen</translation>
     </message>
     <message>
         <source>Write metres, centimetres, millimetres or inches</source>
@@ -4935,6 +4955,10 @@
     <message>
         <source>it has %1, so this estimator has too little to go by</source>
         <translation>in ihr: %1; damit hat dieser Schätzer zu wenig in der Hand</translation>
+    </message>
+    <message>
+        <source>it has no calibration, and its readings are no counts: some are negative</source>
+        <translation>sie hat keine Kalibrierung, und ihre Messwerte sind keine Zählwerte: einige sind negativ</translation>
     </message>
     <message>
         <source>it has no readings</source>
@@ -5598,6 +5622,10 @@
     <message>
         <source>sample is missing or out of range</source>
         <translation>sample fehlt oder liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>sample lies far beyond those around it</source>
+        <translation>sample liegt weit jenseits der umgebenden</translation>
     </message>
     <message>
         <source>sequence or time is missing or out of range</source>
@@ -9224,6 +9252,10 @@
     <message>
         <source>The driver box did not confirm that it had sent everything.</source>
         <translation>Die Steuerbox hat nicht bestätigt, dass sie alles gesendet hat.</translation>
+    </message>
+    <message>
+        <source>The driver box said at %1: %2%3.</source>
+        <translation>Die Treiberbox meldete bei %1: %2%3.</translation>
     </message>
     <message>
         <source>The live results are not in the take: %1.</source>

@@ -928,10 +928,6 @@
         <translation>Die Abstände der Datei sind das %1-Fache der gehörten</translation>
     </message>
     <message>
-        <source>Its numbers are in another unit than their heading says. Correct the heading (x_m or x_mm, distance_m or distance_mm), leave and choose the file again.</source>
-        <translation>Ihre Zahlen haben eine andere Einheit, als die Überschrift sagt. Die Überschrift berichtigen (x_m oder x_mm, distance_m oder distance_mm), verlassen und die Datei neu wählen.</translation>
-    </message>
-    <message>
         <source>Stand still for %1</source>
         <translation>%1 lang still stehen</translation>
     </message>
@@ -991,6 +987,10 @@
     <message>
         <source>Stay like that, all boards are still.</source>
         <translation>So bleiben, alle Platinen sind ruhig.</translation>
+    </message>
+    <message>
+        <source>Its numbers are in another unit than their heading says. Correct the heading (x_m or x_mm, distance_m or distance_mm), leave and choose the file again.</source>
+        <translation>Ihre Zahlen haben eine andere Einheit, als ihre Überschrift sagt. Überschrift berichtigen (x_m oder x_mm, distance_m oder distance_mm), verlassen und die Datei neu wählen.</translation>
     </message>
 </context>
 <context>
@@ -3327,7 +3327,7 @@
     </message>
     <message>
         <source>Each take is written in this format too.</source>
-        <translation>Jeder Take wird auch in diesem Format geschrieben.</translation>
+        <translation>Jede Aufnahme wird auch in diesem Format geschrieben.</translation>
     </message>
     <message>
         <source>One file with all takes or performers</source>
@@ -3336,6 +3336,10 @@
     <message>
         <source>Each take is an animation under its name; {take} in the file name becomes the session’s name. Of one take, each performer is a character of its own.</source>
         <translation>Jede Aufnahme ist eine Animation unter ihrem Namen; {take} im Dateinamen wird zum Namen der Sitzung. Aus einer Aufnahme wird jede Person eine eigene Figur.</translation>
+    </message>
+    <message>
+        <source>The frame at Review’s time cursor; of other takes one in the middle.</source>
+        <translation>Das Bild am Zeitzeiger der Prüfung; von anderen Aufnahmen eines aus der Mitte.</translation>
     </message>
 </context>
 <context>
@@ -3626,7 +3630,7 @@
     </message>
     <message>
         <source>Take %1, result: %2</source>
-        <translation>Take %1, Ergebnis: %2</translation>
+        <translation>Aufnahme %1, Ergebnis: %2</translation>
     </message>
     <message>
         <source>Export it by itself, or without one file for all</source>
@@ -4268,7 +4272,7 @@
     </message>
     <message>
         <source>This take has no result yet. Process it to see which board heard which source.</source>
-        <translation>Dieser Take hat noch kein Ergebnis. Verarbeite ihn, um zu sehen, welche Platine welche Quelle gehört hat.</translation>
+        <translation>Diese Aufnahme hat noch kein Ergebnis. Verarbeiten Sie sie, um zu sehen, welche Platine welche Quelle gehört hat.</translation>
     </message>
     <message>
         <source>This take is being processed.</source>
@@ -5054,7 +5058,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>The motion becomes a take of this session: a simulated suit is worn by the person that it shows.</source>
-        <translation>Die Bewegung wird ein Take dieser Sitzung: Die Person, die sie zeigt, trägt einen simulierten Anzug.</translation>
+        <translation>Die Bewegung wird eine Aufnahme dieser Sitzung: Die Person, die sie zeigt, trägt einen simulierten Anzug.</translation>
     </message>
     <message>
         <source>Import</source>
@@ -6675,6 +6679,15 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <source>its light blinks</source>
         <translation>ihr Licht blinkt</translation>
     </message>
+    <message>
+        <source>Recording, with problems</source>
+        <translation>Aufnahme läuft, mit Problemen</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>a performer, sentences</comment>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::RecentSessionModel</name>
@@ -6837,7 +6850,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>The countdown gives you time after the button. With a pre-roll the take begins that much earlier than the recording; be in the rest pose by then.</source>
-        <translation>Der Countdown gibt Zeit nach dem Knopf. Mit Vorlauf beginnt der Take um so viel vor der Aufnahme; dann schon in der Ruhehaltung stehen.</translation>
+        <translation>Der Countdown gibt Zeit nach dem Knopf. Mit Vorlauf beginnt sie um so viel früher; dann schon in der Ruhehaltung stehen.</translation>
     </message>
     <message>
         <source>Pre-roll, from before the recording begins</source>
@@ -7257,7 +7270,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>The recording becomes a take of this session. Its files stay as they are; nothing is written before Import.</source>
-        <translation>Die Aufnahme wird ein Take dieser Sitzung. Ihre Dateien bleiben, wie sie sind; vor „Importieren“ wird nichts geschrieben.</translation>
+        <translation>Die Aufzeichnung wird eine Aufnahme dieser Sitzung. Ihre Dateien bleiben, wie sie sind; vor „Importieren“ wird nichts geschrieben.</translation>
     </message>
     <message>
         <source>Import</source>
@@ -7455,6 +7468,14 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Say it here, or choose a map that does</source>
         <translation>Sagen Sie es hier, oder wählen Sie eine Zuordnung</translation>
+    </message>
+    <message>
+        <source>One sensor alone makes no body; the verb orient of the command line finds how it turns.</source>
+        <translation>Ein Sensor allein ergibt keinen Körper; das Verb orient der Befehlszeile findet, wie er sich dreht.</translation>
+    </message>
+    <message>
+        <source>No sensor sits on a segment: the take will show no body.</source>
+        <translation>Kein Sensor sitzt auf einem Körperteil: Die Aufnahme wird keinen Körper zeigen.</translation>
     </message>
 </context>
 <context>
@@ -8017,7 +8038,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>Independent sensors are smoothed over the whole take or not at all.</source>
-        <translation>Unabhängige Sensoren werden über den ganzen Take geglättet oder gar nicht.</translation>
+        <translation>Unabhängige Sensoren werden über die ganze Aufnahme geglättet oder gar nicht.</translation>
     </message>
     <message>
         <source>Independent sensors use all that each sensor measures.</source>
@@ -8503,6 +8524,10 @@ Median; gut: unter %1</translation>
     <message>
         <source>How far its joints drift is not known without a reference.</source>
         <translation>Wie weit seine Gelenke driften, ist ohne Referenz nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>It follows the reference, which covers %1 of it.</source>
+        <translation>Sie folgt der Referenz, die %1 von ihr abdeckt.</translation>
     </message>
 </context>
 <context>
@@ -9749,6 +9774,10 @@ Median; gut: unter %1</translation>
     <message>
         <source>Change the body of the view</source>
         <translation>Körper der Ansicht ändern</translation>
+    </message>
+    <message>
+        <source>The folder of the session, %1, is not there any more. Put it back; what you change meanwhile is kept here and saved then.</source>
+        <translation>Der Ordner der Sitzung, %1, ist nicht mehr da. Legen Sie ihn zurück; Änderungen bleiben bis dahin hier und werden dann gespeichert.</translation>
     </message>
 </context>
 <context>
@@ -11281,8 +11310,8 @@ Drehen, beide Richtungen x3</translation>
         </translation>
     </message>
     <message>
-        <source>CSV with placement, kind, id, x_mm, y_mm, z_mm, or with placement, source, board, distance_mm</source>
-        <translation>CSV mit placement, kind, id, x_mm, y_mm, z_mm oder mit placement, source, board, distance_mm</translation>
+        <source>CSV with placement, kind, id, x_m, y_m, z_m, or with placement, source, board, distance_m</source>
+        <translation>CSV mit placement, kind, id, x_m, y_m, z_m oder mit placement, source, board, distance_m</translation>
     </message>
     <message>
         <source>The takes could not be used</source>

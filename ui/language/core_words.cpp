@@ -218,7 +218,9 @@ SentencePatterns::Found SentencePatterns::asList(const QString& english, int dep
 }
 
 QString coreWords(const std::string& english) {
-    return onScreen(QString::fromStdString(english));
+    // "(--rate HZ)": the option of the command line, which no screen has.
+    static const QRegularExpression option(QStringLiteral(" \\([^()]*--[a-z][^()]*\\)"));
+    return onScreen(QString::fromStdString(english)).remove(option);
 }
 
 QString coreWords(const Error& error) {

@@ -84,20 +84,21 @@ void MainWindow::showSuit() {
     const auto hello = studio_.suit().status()->hello;
     if (studio_.suit().phase() == LiveSuit::Phase::kNone || !hello)
         return top_bar_->showSuit(Tone::kNeutral, {}, {});
-    const Readiness& readiness = studio_.check().readiness();
+    const SuitInUse& worst = worstOf(studio_.suits());
+    const Readiness& readiness = worst.check.readiness();
     const int suits = static_cast<int>(studio_.suits().connected().size());
     const QString box =
         suits > 1 ? tr("%n box(es)", "connected", suits) : QString::fromStdString(hello->serial);
-    if (studio_.check().lostSince().isValid())
+    if (worst.check.lostSince().isValid())
         return top_bar_->showSuit(Tone::kError, linkBrokenInShort(), box);
     const bool waits = readiness.verdict == Readiness::Verdict::kWaiting;
-    const bool all = readiness.boards_there == hello->boardCount() && readiness.problems.empty();
+    const int boards_of_it = static_cast<int>(readiness.boards.size());
+    const bool all = readiness.boards_there == boards_of_it && readiness.problems.empty();
     const Tone tone = waits                                                ? Tone::kNeutral
                       : readiness.verdict == Readiness::Verdict::kNotReady ? Tone::kError
                       : all                                                ? Tone::kOk
                                                                            : Tone::kWarn;
-    const QString boards =
-        tr("%1/%2 boards", "there, of all").arg(readiness.boards_there).arg(hello->boardCount());
+    const QString boards = tr("%1/%2 boards", "there, of all").arg(readiness.boards_there).arg(boards_of_it);
     top_bar_->showSuit(tone, waits ? tr("Looking") : boards, box);
 }
 

@@ -221,6 +221,8 @@ QString LiveSuit::record(const TakePlan& plan) {
         return why;
     if (!session_.makeSure())
         return tr("There is no session to record into, and none could be made. Make one first.");
+    if (const QString gone = session_.whyNotHere(); !gone.isEmpty())
+        return gone;
     stop_wanted_ = false;
     recorded_.reset();
     setPhase(Phase::kStarting);

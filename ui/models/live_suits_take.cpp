@@ -48,6 +48,8 @@ QString LiveSuits::record(const LiveSuit::TakePlan& plan) {
         return why;
     if (!session_.makeSure())
         return tr("There is no session to record into, and none could be made. Make one first.");
+    if (const QString gone = session_.whyNotHere(); !gone.isEmpty())
+        return gone;
     plan_ = plan;
     stop_wanted_ = false;
     recorded_ = connected();

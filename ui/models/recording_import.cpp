@@ -110,10 +110,11 @@ Result<RecordingTake> keepRecording(const RecordingToKeep& request, const Sessio
     const UnfinishedTake unfinished(asidePath(path));
     {
         StagedProgress stage(job, 0, take.has_poses ? 0.2 : 1);
-        const auto written = writeImportedTake(
-            recording,
-            {unfinished.path(), take.name, request.created_utc, request.software, randomUuid(), false},
-            stage.job());
+        const auto written =
+            writeImportedTake(recording,
+                              {unfinished.path(), take.name, request.created_utc, request.software,
+                               randomUuid(), false, session.current_performer},
+                              stage.job());
         if (!written)
             return written.error();
     }
@@ -125,12 +126,14 @@ Result<RecordingTake> keepRecording(const RecordingToKeep& request, const Sessio
         process.tracker.smoother = Smoother::kFull;
         process.software = request.software;
         process.created_utc = request.created_utc;
+        if (const Performer* performer = session.findPerformer(session.current_performer))
+            process.actor = defaultActor(performer->measures);
         const auto made = processTake(process, stage.job());
         if (!made && made.error().kind == ErrorKind::kCancelled)
             return made.error();
         // The readings are worth keeping where no pose could be made of them.
         take.has_poses = made.ok();
-        take.warnings = made ? made->warnings : std::vector<std::string>{made.error().text()};
+        take.warnings = made ? made->warnings : std::vector<std::string>{made.error().text() + "."};
     }
     if (Status published = publishFile(unfinished.path(), path, false); !published)
         return published.error();

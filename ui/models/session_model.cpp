@@ -40,9 +40,12 @@ QString keyOf(const Session& session) {
 SessionModel::SessionModel(Jobs& jobs, std::function<QString()> home, QObject* parent)
     : QObject(parent), jobs_(jobs), home_(std::move(home)), saver_(jobs) {
     connect(&saver_, &SessionSaver::failed, this, [this](const Error& error) {
-        tell(tr("The session could not be saved. Your takes are safe; the changes are kept here and saved "
-                "with the next one"),
-             error);
+        if (const QString gone = whyNotHere(); !gone.isEmpty())
+            emit failed(gone);
+        else
+            tell(tr("The session could not be saved. Your takes are safe; the changes are kept here and "
+                    "saved with the next one"),
+                 error);
     });
 }
 
@@ -54,6 +57,15 @@ void SessionModel::tell(const QString& what_failed, const Error& error) {
     if (error.kind != ErrorKind::kCancelled)
         emit failed(tr("%1. %2", "what failed and what is safe; why and what to do")
                         .arg(what_failed, inWords(error)));
+}
+
+QString SessionModel::whyNotHere() const {
+    if (!isOpen() || QFileInfo::exists(QString::fromStdString(session_->folder.string())))
+        return {};
+    return tr("The folder of the session, %1, is not there any more. Put it back; what you change meanwhile "
+              "is "
+              "kept here and saved then.")
+        .arg(QString::fromStdString(session_->folder.string()));
 }
 
 bool SessionModel::create(const QString& folder, const QString& name) {

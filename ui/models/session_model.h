@@ -40,6 +40,8 @@ public:
     bool create(const QString& folder, const QString& name);  ///< false: failed() was emitted
     /// Makes one by date when none is open; false: failed() was emitted.
     bool makeSure();
+    /// In words, when the open session's folder has vanished (a drive that was unplugged), else empty.
+    QString whyNotHere() const;
     /// A job; opened() or failed(). The take named becomes the current one, else the one that was current
     /// when the session was last open.
     void open(const QString& folder, const QString& take = {});

@@ -247,11 +247,13 @@ std::shared_ptr<const MotionCurve> TakeDocument::motionCurve(const CurveChoice& 
     const auto base = motion(run);
     if (!base)
         return nullptr;
-    auto curve = ask<MotionCurveKey, MotionCurve>(motion_curves_, {*run, choice}, tr("Drawing joint angles"),
-                                                  &TakeDocument::curvesChanged,
-                                                  [base, choice](const JobContext&) -> Result<MotionCurve> {
-                                                      return noctule::motionCurve(*base, choice);
-                                                  });
+    auto curve = ask<MotionCurveKey, MotionCurve>(
+        motion_curves_, {*run, choice}, tr("Drawing joint angles"), &TakeDocument::curvesChanged,
+        [base, choice, overview = overview_](const JobContext&) -> Result<MotionCurve> {
+            // A reference's knee may be a ball: its flexion is the actor's.
+            return noctule::motionCurve(*base, choice,
+                                        overview->actor ? &overview->actor->skeleton : nullptr);
+        });
     keepNewest(motion_curves_);
     return curve;
 }

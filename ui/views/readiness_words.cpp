@@ -2,6 +2,7 @@
 #include "ui/views/readiness_words.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 
 #include "core/inertial/reading.h"
 #include "ui/language/core_words.h"
@@ -330,6 +331,44 @@ VerdictWords verdictOf(const SuitCheck& check) {
     return {readiness.isFit() && counts.isEmpty() ? Tone::kOk : Tone::kWarn,
             readiness.isFit() ? ReadinessText::tr("Ready") : ReadinessText::tr("Connected"),
             sentences.join(' ')};
+}
+
+VerdictWords recordingVerdictOf(const Readiness& readiness) {
+    const bool beside_fit = std::ranges::any_of(readiness.problems, [](const ReadinessProblem& problem) {
+        return !problem.accepted && !isOfFit(problem.kind);
+    });
+    const Tone tone = readiness.verdict == Readiness::Verdict::kNotReady ? Tone::kError
+                      : beside_fit || !readiness.isFit()                 ? Tone::kWarn
+                                                                         : Tone::kOk;
+    return {tone,
+            readiness.isFit() && beside_fit ? ReadinessText::tr("Recording, with problems")
+                                            : recordingWords(readiness),
+            {}};
+}
+
+const SuitInUse& worstOf(const LiveSuits& suits) {
+    constexpr Tone kByHarm[] = {Tone::kOk, Tone::kAccent, Tone::kNeutral, Tone::kWarn, Tone::kError};
+    const auto harm = [&](const SuitInUse* worn) {
+        return std::ranges::find(kByHarm, verdictOf(worn->check).tone) - kByHarm;
+    };
+    const SuitInUse* worst = &suits.current();
+    if (suits.areSeveral())
+        for (const SuitInUse* worn : suits.connected())
+            if (harm(worn) > harm(worst))
+                worst = worn;
+    return *worst;
+}
+
+VerdictWords verdictOf(const LiveSuits& suits) {
+    const SuitInUse& worst = worstOf(suits);
+    VerdictWords words = verdictOf(worst.check);
+    if (&worst != &suits.current()) {
+        const QString name = suits.nameOf(worst);
+        words.text = words.text.isEmpty()
+                         ? name
+                         : ReadinessText::tr("%1: %2", "a performer, sentences").arg(name, words.text);
+    }
+    return words;
 }
 
 Tone toneOf(BoardReadiness::State state) {

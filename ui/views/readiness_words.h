@@ -4,7 +4,7 @@
 
 #include <QString>
 
-#include "ui/models/suit_check.h"
+#include "ui/models/live_suits.h"
 #include "ui/style/ink.h"
 
 namespace noctule::ui {
@@ -25,6 +25,14 @@ struct VerdictWords {
     QString verdict, text;
 };
 VerdictWords verdictOf(const SuitCheck& check);
+/// Of a suit that records.
+VerdictWords recordingVerdictOf(const Readiness& readiness);
+
+/// Of those that are connected the one that stands worst, the one that is looked at before others; it alone
+/// where none is connected.
+const SuitInUse& worstOf(const LiveSuits& suits);
+/// Its verdict, with its performer's name where another one is looked at.
+VerdictWords verdictOf(const LiveSuits& suits);
 
 /// Below a board's name on the body: "6 of 8 pairs", "no signal since 10:42:07".
 QString boardDetail(const SuitCheck& check, int board);

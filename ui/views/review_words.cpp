@@ -36,6 +36,8 @@ QString sensorsInWords(const std::string& sensors) {
     return Words::tr("No sensors");
 }
 
+constexpr double kWholeTake = 0.95;  ///< share of it; references begin and end a moment apart
+
 double radiansOf(double value_deg) {
     return radians(value_deg);
 }
@@ -220,7 +222,10 @@ QString gradeExplained(const TakeVerdict& verdict) {
     if (verdict.grade == Grade::kUsable)
         return Words::tr("Good enough to work with. What to look at first is told below.");
     if (verdict.mean_error_deg)
-        return Words::tr("It follows the reference from start to end.");
+        return verdict.compared_share < kWholeTake
+                   ? Words::tr("It follows the reference, which covers %1 of it.")
+                         .arg(percentText(verdict.compared_share))
+                   : Words::tr("It follows the reference from start to end.");
     return Words::
         tr("Ranges backed the joints %1 of the time, and inertia carried them in between; none stands out.")
             .arg(percentText(verdict.backed_share));

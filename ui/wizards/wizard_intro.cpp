@@ -114,8 +114,8 @@ void WizardIntro::refresh() {
     distances_words_->setText(run_->distanceCount() > 0
                                   ? tr("%1: %n distance(s)", nullptr, run_->distanceCount())
                                         .arg(QFileInfo(run_->distancesPath()).fileName())
-                                  : tr("CSV with placement, kind, id, x_mm, y_mm, z_mm, or with placement, "
-                                       "source, board, distance_mm"));
+                                  : tr("CSV with placement, kind, id, x_m, y_m, z_m, or with placement, "
+                                       "source, board, distance_m"));
     if (!run_->trouble().isEmpty()) {
         problem_->setTexts(tr("The takes could not be used"), run_->trouble());
         problem_->show();

@@ -41,7 +41,7 @@ void feedFormat(const char* name, const std::string& path, const std::vector<std
 }
 
 TEST(FuzzImport, XsensText) {
-    feedFormat("xsens-text", "MT_1_00B42D4B.txt",
+    feedFormat("mt", "MT_1_00B42D4B.txt",
                {xsensExample({65533, 65534, 65535, 0, 1, 2}, '\t', true),
                 xsensExample({1, 2, 5, 6}, ' ', false), xsensExample({1, 2, 3}, ';', true, "\r\n")});
 }
@@ -49,10 +49,10 @@ TEST(FuzzImport, Mvnx) {
     feedFormat("mvnx", "walk.mvnx", {mvnxExample(4)});
 }
 TEST(FuzzImport, Ximu3Stream) {
-    feedFormat("x-imu3", "a.ximu3", {ximu3Binary()});
+    feedFormat("ximu3", "a.ximu3", {ximu3Binary()});
 }
 TEST(FuzzImport, Ximu3Csv) {
-    feedFormat("x-imu3", "pelvis/Inertial.csv", {ximu3Csv(12)});
+    feedFormat("ximu3", "pelvis/Inertial.csv", {ximu3Csv(12)});
 }
 TEST(FuzzImport, Sto) {
     feedFormat("sto", "a.sto", {stoExample()});

@@ -168,6 +168,19 @@ TEST(UnitCheck, DegreesAndGAreConvertedAndSaid) {
     }
 }
 
+TEST(UnitCheck, RadiansStatedAsDegreesAreTakenBackAndSaid) {
+    auto right = recordingFromMat(turningSensor(1, 1), "right");
+    auto twice = recordingFromMat(turningSensor(180 / std::numbers::pi, 1), "twice");
+    ASSERT_TRUE(right && twice);
+    EXPECT_EQ(rateReading(twice->sensors[0].samples), RateReading::kConvertedTwice);
+    convertToSi(*twice);
+    ASSERT_EQ(twice->warnings.size(), 1u);
+    EXPECT_NE(twice->warnings[0].find("stated as deg/s"), std::string::npos);
+    EXPECT_LT((twice->sensors[0].samples.gyro_rad_per_s[700] - right->sensors[0].samples.gyro_rad_per_s[700])
+                  .norm(),
+              1e-9);
+}
+
 TEST(UnitCheck, RatesThatNoGyroscopeShowsAreQuestionedWhereGravityDoesNotTurn) {
     for (const auto& [rate, questioned] : {std::pair{200.0, true}, std::pair{30.0, false}}) {
         ImportedRecording recording;

@@ -83,7 +83,7 @@ TEST(ProcessSimulation, TakesWithoutTheSensorsAskedForAreRefusedOrTold) {
 
     const auto quality = [&] {
         const Take take = Take::open(path).value();
-        return boardQuality(take, take.suit().value(), kPrimaryRun).value().front();
+        return boardQuality(take, take.suit().value(), Calibration{}, kPrimaryRun).value().front();
     };
     EXPECT_NEAR(double(quality().readings_present) / double(quality().readings_expected), 1, 0.05);
     runSql(path, "UPDATE inertial SET gx=NULL, gy=NULL, gz=NULL");
@@ -109,7 +109,8 @@ TEST(ProcessSimulation, TakesWithoutTheSensorsAskedForAreRefusedOrTold) {
     EXPECT_TRUE(on_nobody.error().message.ends_with("none of its boards sits on a segment of the body"))
         << on_nobody.error().message;
 
-    CalibrateRequest bench{.take_paths = {path}};
+    CalibrateRequest bench;
+    bench.take_paths = {path};
     EXPECT_TRUE(calibrateAccelerometers(bench, {})) << "calibrations need no body, nor gyroscopes";
     const std::string skipped = Take::open(path)->suit()->boards.front().id;
     bench.left_out = {skipped};

@@ -67,6 +67,22 @@ TEST(MotionCurve, HingesShowTheirNamedAngleWithSigma) {
     EXPECT_NEAR(curve.value.series().value[100] - curve.low.series().value[100], 2 * 0.02 / kDegree, 1e-3);
 }
 
+TEST(MotionCurve, AReferenceWhoseKneeIsABallHasItsFlexion) {
+    const TimedMotion motion = made([](double t_s, const Skeleton& skeleton, Pose& pose) {
+        set(skeleton, pose, "LeftLeg", axisAngle(Vector3d::UnitX(), 0.5 * t_s));
+    });
+    std::vector<Joint> joints = motion.skeleton.joints();
+    for (Joint& joint : joints)
+        if (joint.name == "LeftLeg")
+            joint.type = JointType::kBall,
+            joint.dof = motion.skeleton.joint(motion.skeleton.find("LeftUpLeg")).dof;
+    const TimedMotion reference{Skeleton::make(joints).value(), motion.frames};
+    EXPECT_TRUE(motionCurve(reference, {"LeftLeg", "flexion"}).value.empty());
+    const MotionCurve curve = motionCurve(reference, {"LeftLeg", "flexion"}, &motion.skeleton);
+    ASSERT_EQ(curve.value.size(), 200u);
+    EXPECT_NEAR(curve.value.series().value[100], 0.5 / kDegree, 1e-3);
+}
+
 TEST(MotionCurve, UniversalJointsKeepTheirAnglesApart) {
     std::vector<double> sigma(3 * defaultActor().skeleton.joints().size(), 0.0);
     const auto arm = static_cast<size_t>(defaultActor().skeleton.find("LeftForeArm"));

@@ -101,6 +101,18 @@ TEST(LiveSession, ALinkThatBreaksLeavesAGapAndTimeDoesNotShift) {
     EXPECT_EQ(gaps->at(0).reason, "link");
     EXPECT_EQ(gaps->at(1).reason, "box");
     EXPECT_NE(take->notes()->at(0).text.find("l_forearm"), std::string::npos);
+    ASSERT_FALSE(report->stream.warnings.empty());
+    EXPECT_EQ(report->stream.warnings[0], "The driver box said at 0:00.6: board lost, l_forearm.");
+}
+
+TEST(LiveSession, ABoxThatIsGoneDoesNotKeepARecordingOfSoManySecondsWaiting) {
+    const Folder folder;
+    auto report = recordTake(std::make_unique<FakeDevice>(scriptOf(joined(
+                                 test::madeEvents(0, 60000, kTwoBoards), one(link::LinkLost{why("cut")})))),
+                             recordingInto(folder), 1.0, {});
+    ASSERT_TRUE(report) << report.error().text();
+    EXPECT_EQ(report->stream.recording->samples, 60000);
+    EXPECT_EQ(Take::open(report->stream.recording->path)->meta().at("state"), "complete");
 }
 
 TEST(LiveSession, ABoxThatRestartsEndsTheTakeIntact) {

@@ -169,13 +169,26 @@ TEST_F(SessionModelTest, SavingThatFailsIsToldOnceAndTriedAgain) {
     std::filesystem::rename(folder(), home_ / "away");
     model_.rate(0, 3);
     ASSERT_TRUE(waitFor([&] { return failed.count() == 1; }));
-    EXPECT_TRUE(failed[0][0].toString().contains("Your takes are safe"));
+    EXPECT_TRUE(failed[0][0].toString().contains("is not there any more"));
+    EXPECT_FALSE(model_.whyNotHere().isEmpty());
     model_.rate(0, 4);
     QTest::qWait(600);
     EXPECT_EQ(failed.count(), 1);
     std::filesystem::rename(home_ / "away", folder());
     model_.rate(0, 5);
     ASSERT_TRUE(waitFor([&] { return onDisk() == shown(); }));
+    EXPECT_EQ(model_.whyNotHere(), "");
+}
+
+TEST_F(SessionModelTest, WhereNothingCanBeWrittenTakesAreSafe) {
+    ASSERT_TRUE(openAndWait());
+    QSignalSpy failed(&model_, &SessionModel::failed);
+    std::filesystem::remove(folder() / "session.json");
+    std::filesystem::create_directory(folder() / "session.json");
+    model_.rate(0, 3);
+    ASSERT_TRUE(waitFor([&] { return failed.count() == 1; }));
+    EXPECT_TRUE(failed[0][0].toString().contains("Your takes are safe"));
+    std::filesystem::remove(folder() / "session.json");
 }
 
 TEST_F(SessionModelTest, TrashMovesTheFileAndTheCurrentTakeFollows) {

@@ -25,6 +25,7 @@
 #include "ui/views/connect/suit_switch.h"
 #include "ui/views/export/export_form.h"
 #include "ui/views/export/export_page.h"
+#include "ui/views/readiness_words.h"
 #include "ui/views/record/record_bar.h"
 #include "ui/views/record/record_center.h"
 #include "ui/views/record/record_page.h"
@@ -172,6 +173,25 @@ TEST_F(TwoSuitsTest, ConnectShowsOneOfThemAndSaysWhoWearsEach) {
     EXPECT_TRUE(waitFor([&] { return suits().connected().size() == 1; }));
     EXPECT_TRUE(row->isHidden());
     EXPECT_EQ(studio_->suit().phase(), LiveSuit::Phase::kLooking) << "the first one stays";
+}
+
+TEST_F(TwoSuitsTest, TheVerdictIsThatOfTheWorstWhoeverIsLookedAt) {
+    addBoth();
+    ASSERT_TRUE(waitFor([&] {
+        return std::ranges::all_of(suits().connected(), [](const SuitInUse* one) {
+            return one->check.readiness().verdict == Readiness::Verdict::kReady;
+        });
+    }));
+    worn(0).suit.setCalibration({});
+    for (const bool other : {true, false}) {
+        suits().setCurrent(worn(other ? 1 : 0));
+        ASSERT_TRUE(waitFor([&] { return &worstOf(suits()) == &worn(0); }));
+        const VerdictWords words = verdictOf(suits());
+        EXPECT_EQ(words.tone, Tone::kWarn);
+        EXPECT_TRUE(words.text.contains("Not calibrated")) << words.text.toStdString();
+        EXPECT_EQ(words.text.startsWith("Performer 1: "), other) << words.text.toStdString();
+        EXPECT_EQ(connect_->readiness().verdict(), words.verdict);
+    }
 }
 
 TEST_F(TwoSuitsTest, OneButtonRecordsBothAndReviewAndExportHaveBoth) {

@@ -101,7 +101,7 @@ QString DevicesPanel::addressProblem() const {
 }
 
 SuitInUse* DevicesPanel::wornOf(const KnownSuit& suit) const {
-    return suit.present ? capture_.suits().at(qt(suit.device.address)) : nullptr;
+    return capture_.suits().at(qt(suit.device.address));
 }
 
 /// Of several suits: whose it is.
@@ -148,10 +148,7 @@ DeviceWords DevicesPanel::wordsFor(const KnownSuit& suit) const {
                                                   .arg(where, tr("%n board(s)", nullptr, device.boards))
                                             : where;
     words.detail = holds;
-    if (!suit.present) {
-        words.state = tr("not here");
-        words.action = tr("Forget");
-    } else if (const SuitInUse* worn = wornOf(suit)) {
+    if (const SuitInUse* worn = wornOf(suit)) {
         const LiveSuit::Phase phase = worn->suit.phase();
         words.chosen = worn == &capture_.suits().current();
         nameWearer(*worn, words);
@@ -165,6 +162,9 @@ DeviceWords DevicesPanel::wordsFor(const KnownSuit& suit) const {
         } else {
             tellLink(worn->suit, words);
         }
+    } else if (!suit.present) {
+        words.state = tr("not here");
+        words.action = tr("Forget");
     } else if (device.contact == FoundDevice::Contact::kAsking) {
         words.state = tr("asking");
     } else if (device.contact == FoundDevice::Contact::kSilent) {
@@ -187,12 +187,12 @@ DeviceWords DevicesPanel::wordsFor(const KnownSuit& suit) const {
 
 void DevicesPanel::act(const KnownSuit& suit) {
     const QString address = qt(suit.device.address);
-    if (!suit.present)
-        capture_.finder().forget(qt(suit.device.serial));
-    else if (SuitInUse* worn = wornOf(suit); worn && worn->suit.phase() == LiveSuit::Phase::kRefused)
+    if (SuitInUse* worn = wornOf(suit); worn && worn->suit.phase() == LiveSuit::Phase::kRefused)
         worn->suit.connectTo(address);
     else if (worn)
         worn->suit.disconnectSuit();
+    else if (!suit.present)
+        capture_.finder().forget(qt(suit.device.serial));
     else if (suit.device.contact == FoundDevice::Contact::kAnswers)
         capture_.suits().add(address);
     else

@@ -74,6 +74,9 @@ ReadinessPanel::ReadinessPanel(CaptureContext& capture, QWidget* parent)
     column->addWidget(foot);
     more_->hide();
     capture_.suits().follow(&SuitCheck::changed, this, &ReadinessPanel::show);
+    capture_.suits().forEach(this, [this](SuitInUse& worn) {
+        connect(&worn.check, &SuitCheck::changed, this, &ReadinessPanel::showVerdict);
+    });
     capture_.suits().follow(&LiveSuit::phaseChanged, this, &ReadinessPanel::show);
     capture_.suits().follow(&LiveSuit::blinkingChanged, this, &ReadinessPanel::showBlinking);
     connect(&capture_.finder(), &SuitFinder::changed, this, &ReadinessPanel::showWaysWithoutSuit);
@@ -125,13 +128,18 @@ void ReadinessPanel::setGuest(QWidget* guest) {
 }
 
 void ReadinessPanel::show() {
-    const VerdictWords words = verdictOf(capture_.check());
-    verdict_->setVerdict(words.tone, words.verdict, words.text);
-    verdict_text_ = words.verdict;
-    verdict_sentences_ = words.text;
+    showVerdict();
     showProblems();
     showNumbers();
     showWayOn();
+}
+
+/// Of all suits; what stands below it is of the one that is looked at.
+void ReadinessPanel::showVerdict() {
+    const VerdictWords words = verdictOf(capture_.suits());
+    verdict_->setVerdict(words.tone, words.verdict, words.text);
+    verdict_text_ = words.verdict;
+    verdict_sentences_ = words.text;
 }
 
 /// Cards stay where they are while the same problems last: only their words are renewed.

@@ -38,6 +38,7 @@ signals:
 
 private:
     void show();
+    void showVerdict();
     void showProblems();
     void addCard(const ReadinessProblem& problem);
     void repair(Repair repair, const ReadinessProblem& problem);

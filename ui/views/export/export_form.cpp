@@ -275,6 +275,10 @@ void ExportForm::refresh() {
     const auto offers = [&](bool (*has)(ExportFormat)) {
         return std::any_of(formats.begin(), formats.end(), has);
     };
+    const bool moves = std::any_of(formats.begin(), formats.end(),
+                                   [](ExportFormat each) { return each != ExportFormat::kPng; });
+    for (QComboBox* box : {range, frames})
+        offer(box, moves, tr("The frame at Review’s time cursor; of other takes one in the middle."));
     offer(unit, offers(hasUnit), tr("%1: always in metres.").arg(name));
     offer(names, offers(hasNames), tr("%1: names of its own.").arg(name));
     offer(body, offers(showsBody), tr("%1: has no place for a body.").arg(name));

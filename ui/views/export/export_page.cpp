@@ -167,6 +167,8 @@ Result<std::vector<ExportJob>> ExportPage::planOf(const ExportSettings& settings
             auto job = exportJob(surroundings, take, result, settings, taken);
             if (!job)
                 return job.error();
+            if (const auto cursor_s = cursorIn(job->request); cursor_s && job->format == ExportFormat::kPng)
+                job->request.from_s = job->request.to_s = cursor_s;
             jobs.push_back(std::move(*job));
         }
     }
@@ -237,14 +239,19 @@ void ExportPage::tryOneFrame() {
     if (!jobs || progress_->isRunning())
         return;
     const ExportRequest& first = jobs->front().request;
-    const bool is_open = review_.take().path().toStdString() == first.take_path;
-    const double time_s = is_open ? review_.time().time() : first.from_s.value_or(0);
+    const double time_s = cursorIn(first).value_or(first.from_s.value_or(0));
     start(
         tr("Writing one frame of %1").arg(jobs->front().take),
         [job = jobs->front(), time_s](const JobContext& context) {
             return ui::tryOneFrame(job, time_s, context);
         },
         true);
+}
+
+/// Where Review stands, if the take is open there.
+std::optional<double> ExportPage::cursorIn(const ExportRequest& request) const {
+    const bool is_open = review_.take().path().toStdString() == request.take_path;
+    return is_open ? std::optional(review_.time().time()) : std::nullopt;
 }
 
 void ExportPage::start(const QString& title, std::function<Result<ExportResults>(const JobContext&)> work,

@@ -39,6 +39,7 @@ public:
 public slots:
     void write();
     void tryOneFrame();
+    std::optional<double> cursorIn(const ExportRequest& request) const;
     void openFolder();  ///< by its button alone: no key of the page leaves the studio
 
 signals:

@@ -75,6 +75,9 @@ RecordReadiness::RecordReadiness(Studio& studio, QWidget* parent)
     column->addStretch();
     makeColumn(this)->addWidget(new ScrollArea(content));
     studio.suits().follow(&SuitCheck::changed, this, &RecordReadiness::refresh);
+    studio.suits().forEach(this, [this](SuitInUse& worn) {
+        connect(&worn.check, &SuitCheck::changed, this, &RecordReadiness::showVerdict);
+    });
     studio.suits().follow(&LiveSuit::phaseChanged, this, &RecordReadiness::refresh);
     studio.suits().follow(&LiveSuit::wearingChanged, this, &RecordReadiness::refresh);
     connect(&studio.suits(), &LiveSuits::checkedChanged, this, &RecordReadiness::refresh);
@@ -269,18 +272,21 @@ void RecordReadiness::showCalibration() {
 }
 
 void RecordReadiness::showVerdict() {
-    VerdictWords words = verdictOf(studio_.check());
+    VerdictWords words = verdictOf(studio_.suits());
     const bool connected = studio_.suit().phase() != LiveSuit::Phase::kNone;
     if (!connected)
         words.text = tr("Connect one to see whether it is ready.");
     of_suit_->setVisible(connected);
     if (studio_.suit().phase() == LiveSuit::Phase::kRecording) {
-        const Readiness& readiness = studio_.check().readiness();
-        const int others = problems_->countBesideFit();
-        const bool only_problems = readiness.isFit() && others > 0;
-        words = VerdictWords{problems_->count() == 0 ? Tone::kOk : problems_->worst(),
-                             only_problems ? tr("Recording, with problems") : recordingWords(readiness),
-                             {}};
+        const SuitInUse& worst = worstOf(studio_.suits());
+        words = recordingVerdictOf(worst.check.readiness());
+        if (&worst != &studio_.suits().current()) {
+            words.text = studio_.suits().nameOf(worst);
+        } else {  // and what befalls the take
+            words.tone = problems_->count() == 0 ? Tone::kOk : problems_->worst();
+            if (worst.check.readiness().isFit() && problems_->countBesideFit() > 0)
+                words.verdict = tr("Recording, with problems");
+        }
     }
     verdict_text_ = words.verdict;
     verdict_->setVerdict(words.tone, words.verdict, words.text);

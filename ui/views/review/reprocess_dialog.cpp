@@ -199,8 +199,10 @@ void ReprocessDialog::addCalibration(QBoxLayout& into) {
     addGroup(into, tr("Calibration"), {rows.begin(), rows.end()});
     keepOneChosen(this, rows);
     const auto in_use = studio_.calibrations().inForce();
-    calibration_in_use->setVisible(in_use.has_value());
-    if (in_use && lackOf(overview_.suit, *in_use).isNone() && !overview_.lack.isNone())
+    const bool several = overview_.subjects.size() > 1;  // each has its own; one cannot be that of all
+    calibration_in_use->setVisible(in_use.has_value() && !several);
+    calibration_from_file->setVisible(!several);
+    if (in_use && !several && lackOf(overview_.suit, *in_use).isNone() && !overview_.lack.isNone())
         calibration_in_use->setChecked(true);
     for (ChoiceRow* row : rows)
         connect(row->button(), &QAbstractButton::toggled, this, &ReprocessDialog::refresh);

@@ -6,6 +6,7 @@
 #include <QFileInfo>
 #include <QGridLayout>
 
+#include "core/import/import_format.h"
 #include "core/import/segment_map.h"
 #include "core/import/sensor_findings.h"
 #include "ui/language/core_words.h"
@@ -28,7 +29,7 @@ constexpr double kAsFileSays_hz = 0, kMostRate_hz = 10000;
 QString wordsOf(const std::vector<std::string>& sentences) {
     QStringList lines;
     for (const std::string& sentence : sentences)
-        lines.append(coreWords(sentence) + ".");
+        lines.append(coreWords(sentence) + (sentence.ends_with('.') ? "" : "."));
     return lines.join('\n');
 }
 
@@ -66,7 +67,7 @@ RecordingDialog::RecordingDialog(SharedContext& shared, const QStringList& paths
       choose_map(makeButton(ButtonKind::kText, tr("Choose a map"))),
       say_columns(makeButton(ButtonKind::kOutlined, tr("Say what the columns are"))),
       shared_(shared),
-      format_(new Label),
+      format_((new Label)->wrapped()),
       sensors_(new Label),
       gaps_(new Label),
       reference_(new Label),
@@ -100,7 +101,6 @@ void RecordingDialog::makeFields() {
     rows_column_ = makeColumn(area);
     keepMinimumHeight(*area, kSensorsHeight);
     table->addWidget(area, 1);
-    table->addWidget(open_);
     columns->addWidget(left, 1);
 
     auto* right = new QWidget;
@@ -127,6 +127,7 @@ void RecordingDialog::makeFields() {
     for (QWidget* field : std::initializer_list<QWidget*>{rate, world})
         keepMinimumHeight(*field, 30);
     facts->addWidget(form);
+    facts->addWidget(open_);
     facts->addWidget(warnings_);
     facts->addWidget(notes_);
     facts->addStretch(1);
@@ -267,7 +268,8 @@ void RecordingDialog::showFound() {
         rows += found.rows;
         missing += found.missing;
     }
-    format_->setText(there ? QString::fromStdString(recording_->format) : QString());
+    const ImportFormat* format = there ? findImportFormat(recording_->format) : nullptr;
+    format_->setText(format ? coreWords(format->summary) : QString());
     sensors_->setText(there ? tr("%1, for %2", "number of sensors, time")
                                   .arg(countText(qint64(recording_->sensors.size())), timeText(longest_s))
                             : QString());
@@ -345,9 +347,12 @@ void RecordingDialog::refresh() {
                                                 : QString());
     const auto open = recording_ ? sensorsWithoutSegment(*recording_) : std::vector<std::string>();
     const bool single = recording_ && recording_->sensors.size() == 1;
-    open_->setText(single ? QString()
-                          : tr("%n sensor(s) sit nowhere: poses leave them out.", nullptr, int(open.size())));
-    open_->setVisible(!single && !open.empty());
+    const bool none = recording_ && open.size() == recording_->sensors.size();
+    open_->setText(
+        single ? tr("One sensor alone makes no body; the verb orient of the command line finds how it turns.")
+        : none ? tr("No sensor sits on a segment: the take will show no body.")
+               : tr("%n sensor(s) sit nowhere: poses leave them out.", nullptr, int(open.size())));
+    open_->setVisible(!open.empty());
     by_movement->setDisabledBecause(isBusy()      ? tr("The recording is being read.")
                                     : !recording_ ? tr("Nothing was read yet.")
                                     : single      ? tr("One sensor alone sits anywhere.")
