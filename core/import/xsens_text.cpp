@@ -133,6 +133,7 @@ Result<XsensFile> readXsensFile(const ImportFile& given, const JobContext& job) 
         if (!request.names[i].empty())
             request.wanted.push_back(i);
     request.first_line = number + 1;
+    request.decimal_comma = request.separator != ',';
     auto columns = columnsOfText(text, request, given.path, job);
     if (!columns)
         return columns.error();

@@ -42,6 +42,9 @@ public:
     /// The take as that one's suit sees it.
     TakeView view() const;
     bool isOfSeveral() const { return subjects().size() > 1; }
+    /// Whether somebody wears sources, or the room has them: else there are no pairs. True while no take is
+    /// open.
+    bool hasSources() const;
     /// Whose sources the pairs are of, an index into overview()->parties; at first the shown person's own.
     int sourcesOf() const { return sources_of_; }
     void setSourcesOf(int party);

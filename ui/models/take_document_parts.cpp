@@ -242,6 +242,12 @@ std::shared_ptr<const SeriesPyramid> TakeDocument::readingCurve(int board, int a
     return curve;
 }
 
+bool TakeDocument::hasSources() const {
+    return !overview_ || !overview_->suit.sources.empty() ||
+           std::ranges::any_of(overview_->parties,
+                               [](const TakeParty& party) { return !party.suit.sources.empty(); });
+}
+
 std::shared_ptr<const MotionCurve> TakeDocument::motionCurve(const CurveChoice& choice, Whose whose) {
     const auto run = runOf(whose);
     const auto base = motion(run);

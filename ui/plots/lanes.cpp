@@ -24,13 +24,30 @@ QString missingWords(TakeDocument& take, const QString& otherwise) {
     return take.problem().isEmpty() ? otherwise : take.problem();
 }
 
+bool isPlotOf(const TakeDocument& take, PlotTab tab) {
+    switch (tab) {
+        case PlotTab::kConfidence:
+        case PlotTab::kRanges:
+        case PlotTab::kRawSound:
+            return take.hasSources();
+        case PlotTab::kBetween:
+            return take.isOfSeveral();
+        case PlotTab::kInertial:
+        case PlotTab::kJointAngles:
+        case PlotTab::kRoot:
+            break;
+    }
+    return true;
+}
+
 std::vector<LaneContent> allLanes(const LaneSources& sources) {
     using Make = std::vector<LaneContent> (*)(const LaneSources&);
     constexpr std::array<Make, kPlotTabs> kMakes{confidenceLanes, rangeLanes, soundLanes,  inertialLanes,
                                                  angleLanes,      rootLanes,  betweenLanes};
     std::vector<LaneContent> lanes;
     for (int tab = 0; tab < kPlotTabs; ++tab)
-        if (sources.channels.isOn(static_cast<PlotTab>(tab))) {
+        if (const auto plot = static_cast<PlotTab>(tab);
+            sources.channels.isOn(plot) && isPlotOf(sources.take, plot)) {
             std::vector<LaneContent> more = kMakes[static_cast<size_t>(tab)](sources);
             std::move(more.begin(), more.end(), std::back_inserter(lanes));
         }

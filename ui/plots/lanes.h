@@ -28,6 +28,8 @@ std::vector<LaneContent> rootLanes(const LaneSources& sources);
 /// Distances between the people of the take; none in a take of one.
 std::vector<LaneContent> betweenLanes(const LaneSources& sources);
 
+/// Whether the take has what the tab plots: pairs need sources, distances between people several of them.
+bool isPlotOf(const TakeDocument& take, PlotTab tab);
 /// Of all tabs that are on, in their order.
 std::vector<LaneContent> allLanes(const LaneSources& sources);
 

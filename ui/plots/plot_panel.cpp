@@ -103,9 +103,9 @@ void PlotPanel::buildTabs(QLayout& row) {
     row.addWidget(more_tabs_);
 }
 
-/// Distances between people need several.
 bool PlotPanel::isOffered(const QToolButton* tab) const {
-    return tab != tabs_[static_cast<size_t>(PlotTab::kBetween)] || review_.take().isOfSeveral();
+    const auto index = static_cast<int>(std::ranges::find(tabs_, tab) - tabs_.begin());
+    return isPlotOf(review_.take(), static_cast<PlotTab>(index));
 }
 
 void PlotPanel::fitTabs() {

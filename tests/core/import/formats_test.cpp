@@ -42,6 +42,15 @@ TEST(XsensText, EverySeparatorAndLineEndReadsAlike) {
         }
 }
 
+TEST(XsensText, DecimalCommasAreReadWhereTheSeparatorIsAnother) {
+    std::string text = xsensExample({7, 8, 9, 10}, ';', true, "\n");
+    const size_t rows = text.find('\n', text.find("PacketCounter"));
+    std::replace(text.begin() + static_cast<std::ptrdiff_t>(rows), text.end(), '.', ',');
+    const auto read = readAs({{"t/MT_1_00B42D4B.txt", text}});
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_EQ(read->sensors[0].samples.gyro_rad_per_s[3], Vector3d(0.03, -0.5, 0.25));
+}
+
 TEST(XsensText, TheCounterWrapsAndLostPacketsBecomeEmptyRows) {
     const std::string early = xsensExample({65533, 65534, 65535, 0, 1, 4}, '\t', true, "\n", "0001"),
                       late = xsensExample({0, 1, 2, 3}, '\t', true, "\n", "0002");

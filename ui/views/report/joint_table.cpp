@@ -121,6 +121,7 @@ void JointTable::fitColumns() {
     const bool errors = joints_->hasErrors();
     setColumnHidden(JointTableModel::kMean, !errors);
     setColumnHidden(JointTableModel::kWorst, !errors);
+    setColumnHidden(JointTableModel::kRanges, !joints_->hasRanges());
     verticalHeader()->setMinimumSectionSize(theme.px(20));
     verticalHeader()->setDefaultSectionSize(theme.px(kTableRow));
     horizontalHeader()->setMinimumSectionSize(theme.px(20));
@@ -130,7 +131,7 @@ void JointTable::fitColumns() {
     setColumnWidth(JointTableModel::kMean, number);
     setColumnWidth(JointTableModel::kWorst, number);
     setColumnWidth(JointTableModel::kRanges, ranges);
-    const int rest = viewport()->width() - ranges - (errors ? 2 * number : 0);
+    const int rest = viewport()->width() - (joints_->hasRanges() ? ranges : 0) - (errors ? 2 * number : 0);
     setColumnWidth(JointTableModel::kJoint, std::max(theme.px(90), rest));
     setFixedHeight(contentHeight());
     updateGeometry();

@@ -15,6 +15,9 @@ void JointTableModel::setVerdict(std::shared_ptr<const TakeVerdict> verdict) {
     has_errors_ =
         verdict_ && std::any_of(verdict_->joints.begin(), verdict_->joints.end(),
                                 [](const VerdictJoint& joint) { return joint.mean_deg.has_value(); });
+    has_ranges_ = verdict_ && std::ranges::any_of(verdict_->joints, [](const VerdictJoint& joint) {
+                      return joint.backed_by_ranges > 0;
+                  });
     endResetModel();
 }
 

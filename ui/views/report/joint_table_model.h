@@ -20,6 +20,7 @@ public:
 
     void setVerdict(std::shared_ptr<const TakeVerdict> verdict);
     bool hasErrors() const { return has_errors_; }
+    bool hasRanges() const { return has_ranges_; }
     QString joint(int row) const { return QString::fromStdString(at(row).joint); }
     int rowOf(const QString& joint) const;
 
@@ -33,7 +34,7 @@ private:
     QString text(const VerdictJoint& joint, int column) const;
 
     std::shared_ptr<const TakeVerdict> verdict_;
-    bool has_errors_ = false;
+    bool has_errors_ = false, has_ranges_ = false;
 };
 
 }  // namespace noctule::ui

@@ -135,6 +135,8 @@ void ReportPanel::showVerdict(const TakeVerdict& verdict) {
     cards_[0]->setValue(verdict.mean_error_deg ? degreesText(radians(*verdict.mean_error_deg)) : kNoFigure);
     cards_[0]->setCaption(verdict.mean_error_deg ? tr("mean joint error\nagainst the reference")
                                                  : tr("mean joint error,\nno reference"));
+    for (const size_t of_ranges : {1, 2})
+        cards_[of_ranges]->setVisible(review_.take().hasSources());
     cards_[1]->setValue(percentText(verdict.backed_share));
     cards_[2]->setValue(verdict.residual_median_m ? millimetresText(*verdict.residual_median_m) : kNoFigure);
     cards_[2]->setToolTip(

@@ -60,6 +60,7 @@ ReviewCenter::ReviewCenter(ReviewContext& review, QWidget* parent)
     makeColumn(this)->addWidget(new ScrollArea(whole_));
     restoreSplitters();
     connect(&Theme::get(), &Theme::changed, this, &ReviewCenter::fold);
+    connect(&review.take(), &TakeDocument::opened, this, &ReviewCenter::fold);
     fold();
 }
 
@@ -84,12 +85,12 @@ void ReviewCenter::showPairs(bool pairs) {
 }
 
 void ReviewCenter::fold() {
-    const bool folded = width() < Theme::get().px(kRoomForBoth);
-    tabs_->setVisible(folded);
+    const bool folded = width() < Theme::get().px(kRoomForBoth), has_pairs = review_.take().hasSources();
+    tabs_->setVisible(folded && has_pairs);
     body_tab_->setChecked(!shows_pairs_);
     pairs_tab_->setChecked(shows_pairs_);
-    scenes_->setVisible(!folded || !shows_pairs_);
-    heat_map_->setVisible(!folded || shows_pairs_);
+    scenes_->setVisible(!folded || !shows_pairs_ || !has_pairs);
+    heat_map_->setVisible(has_pairs && (!folded || shows_pairs_));
 }
 
 void ReviewCenter::resizeEvent(QResizeEvent* event) {
