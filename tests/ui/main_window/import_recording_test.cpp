@@ -13,6 +13,7 @@
 #include "tests/core/import/example_files.h"
 #include "tests/support/files.h"
 #include "tests/ui/main_window/studio_fixture.h"
+#include "ui/plots/heat_map.h"
 #include "ui/views/session/columns_dialog.h"
 #include "ui/views/session/recording_dialog.h"
 #include "ui/widgets/button.h"
@@ -80,6 +81,11 @@ TEST_F(ImportRecording, DroppedFilesBecomeATakeUnderReview) {
     ASSERT_EQ(suit->boards.size(), 2u);
     EXPECT_EQ(suit->boards[0].segment, "");
     EXPECT_EQ(suit->boards[1].segment, "LeftForeArm");
+    EXPECT_FALSE(studio_->take().hasSources());
+    const auto maps = window_->findChildren<HeatMap*>();
+    EXPECT_FALSE(maps.empty());
+    for (const HeatMap* map : maps)
+        EXPECT_FALSE(map->isVisible()) << "a suit without sources has no pairs";
 }
 
 TEST_F(ImportRecording, ASegmentHoldsOneSensor) {
