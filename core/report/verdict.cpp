@@ -39,16 +39,16 @@ std::string jointSentence(const Comparison& comparison, const std::string& worst
 
 std::string supportSentence(const ReportData& data, const TakeVerdict& judged) {
     if (judged.worst_from_s)
-        return bothNames(judged.worst_joint) + " is less certain from " +
-               text::clock(*judged.worst_from_s) + " on: ranges stopped backing it. " + kDrift;
+        return bothNames(judged.worst_joint) + " is less certain from " + text::clock(*judged.worst_from_s) +
+               " on: ranges stopped backing it. " + kDrift;
     if (data.sources.empty())
         return "The suit has no sources. How far its joints drift is not known without a reference.";
     if (judged.backed_share <= 0)
         return std::string("No joint was backed by ranges. ") + kDrift;
     const auto alone = std::ranges::max_element(data.support, {}, &JointSupport::alone);
     if (alone->alone() > VerdictLimits{}.good_alone)
-        return bothNames(alone->joint) + " was told by no sensor for " +
-               text::percent(alone->alone()) + " of the time.";
+        return bothNames(alone->joint) + " was told by no sensor for " + text::percent(alone->alone()) +
+               " of the time.";
     return "Ranges backed the joints only " + text::percent(judged.backed_share) + " of the time. " + kDrift;
 }
 
