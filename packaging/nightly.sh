@@ -25,12 +25,14 @@ test_targets() {
     cmake --build "$1" --target help | grep -oE "\btest_$2\w*" | sort -u
 }
 
+# Folder, pattern of the tests, more for ctest.
 build_and_test() {
     local folder=$1 pattern=$2
+    shift 2
     mapfile -t targets < <(test_targets "$folder" "$pattern")
     cmake --build "$folder" --parallel "$jobs" --target "${targets[@]}" &&
         ctest --test-dir "$folder" --parallel "$jobs" --no-tests=error --output-on-failure --timeout 1800 \
-            --tests-regex "^$pattern"
+            --tests-regex "^$pattern" "$@"
 }
 
 run_debug() {
@@ -43,8 +45,9 @@ run_asan() {
     cmake --preset asan-ubsan -D NOCTULE_STUDIO=OFF >/dev/null && build_and_test build/asan-ubsan "(core|devices)_"
 }
 run_tsan() {
+    # Qt is not instrumented: what its event queue hands to another thread (TriggeredTake) looks like a race.
     cmake --preset tsan -D NOCTULE_STUDIO=OFF >/dev/null &&
-        build_and_test build/tsan "(core_job|core_live|core_processing|devices_live)"
+        build_and_test build/tsan "(core_job|core_live|core_processing|devices_live)" --exclude-regex TriggeredTake
 }
 run_gcc() {
     cmake --preset release -B build/gcc -D CMAKE_C_COMPILER=gcc -D CMAKE_CXX_COMPILER=g++ >/dev/null &&
