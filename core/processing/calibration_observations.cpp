@@ -33,6 +33,10 @@ public:
     Collector(Observations& into, double sample_rate_hz, const std::vector<TemperatureStatus>& statuses)
         : into_(into), sample_rate_hz_(sample_rate_hz), sound_speed_(into.calibration.sound, statuses) {
         into_.boards.resize(into_.suit.boards.size());
+        for (const Board& board : into_.suit.boards) {
+            const BoardCalibration* known = into_.calibration.findBoard(board.id);
+            of_counts_.push_back({!known || known->gyro.isOfCounts(), !known || known->accel.isOfCounts()});
+        }
     }
 
     void add(const InertialReading& reading) {
@@ -44,8 +48,8 @@ public:
                 return;
             (axis < 3 ? counts.gyro_counts : counts.accel_counts)[static_cast<Eigen::Index>(axis % 3)] =
                 *count;
-            counts.clipped |=
-                isOfCounts(reading.board, axis < 3) && (*count <= kCountsMin || *count >= kCountsMax);
+            counts.clipped |= of_counts_[static_cast<size_t>(reading.board)][axis / 3] &&
+                              (*count <= kCountsMin || *count >= kCountsMax);
         }
         into_.boards[static_cast<size_t>(reading.board)].push_back(counts);
     }
@@ -61,15 +65,10 @@ public:
     }
 
 private:
-    bool isOfCounts(int board, bool gyro) const {
-        const BoardCalibration* known =
-            into_.calibration.findBoard(into_.suit.boards[static_cast<size_t>(board)].id);
-        return !known || (gyro ? known->gyro : known->accel).isOfCounts();
-    }
-
     Observations& into_;
     double sample_rate_hz_;
     SpeedOfSound sound_speed_;
+    std::vector<std::array<bool, 2>> of_counts_;  ///< per board: gyroscope, accelerometer
 };
 
 Status decode(const Take& take, const Ingredients& in, const SoundLog& log, Collector& collector,

@@ -256,10 +256,7 @@ Status addQuality(const Take& take, const DerivedRun& run, const RunSettings& se
         return Done{};
     std::vector<double> board_share;
     for (const ReportBoard& board : data.boards)
-        board_share.push_back(board.frames_expected == 0
-                                  ? 0
-                                  : 1 - static_cast<double>(board.frames_lost) /
-                                            static_cast<double>(board.frames_expected));
+        board_share.push_back(board.frames_expected == 0 ? 0 : 1 - board.lostShare());
     data.support = jointSupport(parts->actor.skeleton, parts->suit, data.pairs, board_share,
                                 data.take.duration_s, data.take.rest_s);
     return Done{};

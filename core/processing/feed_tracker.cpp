@@ -33,34 +33,43 @@ Result<FedFrames> feedTracker(const Take& take, const Ingredients& in, MotionTra
         return range.error();
     constexpr int64_t kPortions_per_s = 10;
     const auto portion = static_cast<int64_t>(in.decoder.train.sample_rate_hz) / kPortions_per_s;
+    const auto hole = static_cast<double>(limits::kLongestHole_s * kPortions_per_s * portion);
     int64_t watermark = 0;
     double last_sample = -1;
-    const auto hole = static_cast<double>(limits::kLongestHole_s * kPortions_per_s * portion);
+    // Ranges go with their arrival, which lies after the pulse: none that belongs before is still to come.
+    const auto advance = [&](int64_t to, bool at_end) -> Status {
+        watermark = to;
+        while (*range && (at_end || (*range)->pulse_sample < watermark)) {
+            tracker.add(**range);
+            range = ranges->next();
+            if (!range)
+                return range.error();
+        }
+        tracker.advanceTo(watermark);
+        if (Status done = collect(watermark); !done)
+            return done;
+        return job.cancelled() ? Status(JobContext::cancelledError()) : Done{};
+    };
     while (true) {
         auto reading = readings->next();
         if (!reading)
             return reading.error();
         const bool ended = !reading->has_value();
-        const double sample = ended ? 0 : (*reading)->sample;
+        const bool is_last_heard = ended && last_sample >= 0 && !*range;
+        const double sample = !ended ? (*reading)->sample
+                              : is_last_heard
+                                  ? std::min(static_cast<double>(in.sample_count), last_sample + hole)
+                                  : static_cast<double>(in.sample_count);
         if (!ended && last_sample >= 0 && sample > last_sample + hole)
             return holeOfReadings(take, last_sample, sample, in.decoder.train.sample_rate_hz);
-        const int64_t reached = ended ? std::max(in.sample_count, watermark) : static_cast<int64_t>(sample);
-        while (watermark < reached && (ended || reached >= watermark + portion)) {
-            // In steps also over a hole, so that it can be cancelled there.
-            watermark = reached < watermark + 2 * portion ? reached : watermark + portion;
-            // Ranges go with their arrival, which lies after the pulse: none that belongs before is still to
-            // come.
-            while (*range && ((ended && watermark == reached) || (*range)->pulse_sample < watermark)) {
-                tracker.add(**range);
-                range = ranges->next();
-                if (!range)
-                    return range.error();
-            }
-            tracker.advanceTo(watermark);
-            if (Status done = collect(watermark); !done)
+        const int64_t reached = std::max(static_cast<int64_t>(sample), watermark);
+        if (ended || reached >= watermark + portion) {
+            while (watermark + 2 * portion <=
+                   reached)  // in steps over a hole, so that it can be cancelled there
+                if (Status done = advance(watermark + portion, false); !done)
+                    return done.error();
+            if (Status done = advance(reached, ended); !done)
                 return done.error();
-            if (job.cancelled())
-                return JobContext::cancelledError();
         }
         if (ended)
             return frames;

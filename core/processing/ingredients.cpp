@@ -78,10 +78,14 @@ Result<Calibration> chooseCalibration(const Take& take, const ProcessRequest& re
     return in_force->value;
 }
 
-/// Without a calibration readings are counts; another maker's in SI, which may be negative, would be taken
-/// for them.
-Status checkCounts(const Take& take) {
+struct FirstReadings {
+    int64_t first_sample = 0;
+    bool some_negative = false;  ///< as counts never are
+};
+
+Result<FirstReadings> lookAtFirst(const Take& take) {
     constexpr int kLookedAt = 2000;
+    FirstReadings first;
     auto readings = take.readings(kPrimaryRun);
     if (!readings)
         return readings.error();
@@ -91,14 +95,12 @@ Status checkCounts(const Take& take) {
             return reading.error();
         if (!*reading)
             break;
+        if (i == 0)
+            first.first_sample = static_cast<int64_t>((*reading)->sample);
         for (const auto& count : (*reading)->counts)
-            if (count.value_or(0) < kCountsMin)
-                return unusableTake(
-                    take, "it has no calibration, and its readings are no counts: some are negative",
-                    "Give it a calibration; for readings in rad/s and m/s^2 one with zero 0 and "
-                    "the identity");
+            first.some_negative = first.some_negative || count.value_or(0) < kCountsMin;
     }
-    return Done{};
+    return first;
 }
 
 Result<Actor> chooseActor(const Take& take, const ProcessRequest& request, Ingredients& in,
@@ -206,9 +208,6 @@ Result<Ingredients> gatherIngredients(const Take& take, const ProcessRequest& re
     if (!calibration)
         return calibration.error();
     in.calibration = *calibration;
-    if (!request.calibration && !in.calibration_id && take.level() == TakeLevel::kReadings)
-        if (Status counts = checkCounts(take); !counts)
-            return counts.error();
     if (Status fits = checkCalibration(take, in.suit, in.calibration, warnings); !fits)
         return fits.error();
     in.lack = lackOfTake(take, in.suit, in.calibration);
@@ -223,12 +222,17 @@ Result<Ingredients> gatherIngredients(const Take& take, const ProcessRequest& re
         in.rest = {(*rest)->first, (*rest)->last};
     else if (!(*estimator)->whole_take)
         warnings.push_back("No rest pose is marked: the motion is believed to begin in it.");
-    if (!in.rest && take.level() == TakeLevel::kReadings) {  // it begins with its first reading
-        auto readings = take.readings(kPrimaryRun);
-        auto first = readings ? readings->next() : readings.error();
+    const bool is_nominal = !request.calibration && !in.calibration_id;
+    if (take.level() == TakeLevel::kReadings && (!in.rest || is_nominal)) {
+        const auto first = lookAtFirst(take);
         if (!first)
             return first.error();
-        in.first_sample = *first ? static_cast<int64_t>((*first)->sample) : 0;
+        if (is_nominal && first->some_negative)
+            return unusableTake(take,
+                                "it has no calibration, and its readings are no counts: some are negative",
+                                "Give it a calibration; for readings in rad/s and m/s^2 one with zero 0 and "
+                                "the identity");
+        in.first_sample = first->first_sample;
     }
     if (request.tracker.root_given) {
         auto roots = take.externalRoot();

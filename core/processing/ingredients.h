@@ -21,7 +21,7 @@ struct Ingredients {
     std::optional<int64_t> calibration_id, actor_id;
     DecoderSettings decoder;
     std::optional<std::pair<int64_t, int64_t>> rest;
-    int64_t first_sample = 0;  ///< of the readings, where no rest is marked
+    int64_t first_sample = 0;  ///< of the readings, where it is wanted
     /// For a tracker: where nothing is marked, the motion begins with the first reading, not hours before it.
     std::optional<std::pair<int64_t, int64_t>> restOrBegin() const {
         const bool is_late = !rest && static_cast<double>(first_sample) > decoder.train.sample_rate_hz;

@@ -56,6 +56,13 @@ struct ReportBoard {
     int64_t readings_expected = 0, readings_present = 0;  ///< single axes
     int64_t clipped_gyro = 0, clipped_accel = 0;          ///< readings at the end of their range
     int64_t corrected_bits = 0;
+
+    double lostShare() const {
+        return frames_expected <= 0 ? 0 : double(frames_lost) / double(frames_expected);
+    }
+    double readingShare() const {
+        return readings_expected <= 0 ? 1 : double(readings_present) / double(readings_expected);
+    }
 };
 
 /// What became of one pulse at one board.

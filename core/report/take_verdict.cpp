@@ -194,11 +194,7 @@ private:
     void judgeBoards() {
         Grade worst = Grade::kGood;
         for (size_t b = 0; b < report_.boards.size(); ++b) {
-            const ReportBoard& board = report_.boards[b];
-            if (board.frames_expected <= 0)
-                continue;
-            const double lost =
-                static_cast<double>(board.frames_lost) / static_cast<double>(board.frames_expected);
+            const double lost = report_.boards[b].lostShare();
             if (lost > limits_.good_lost)
                 verdict_.lossy_boards.push_back({static_cast<int>(b), lost});
             worst = std::max(worst, lost > limits_.good_lost ? Grade::kUsable : Grade::kGood);

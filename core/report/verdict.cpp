@@ -107,17 +107,11 @@ void judgeBoards(const ReportData& data, Verdict& verdict) {
     for (size_t i = 0; i < data.boards.size(); ++i) {
         const ReportBoard& board = data.boards[i];
         const std::string name = text::capitalised(boardLabel(data, static_cast<int>(i))) + " ";
-        const double share = board.readings_expected <= 0 ? 1
-                                                          : static_cast<double>(board.readings_present) /
-                                                                static_cast<double>(board.readings_expected);
-        const double lost = board.frames_expected <= 0 ? 0
-                                                       : static_cast<double>(board.frames_lost) /
-                                                             static_cast<double>(board.frames_expected);
-        if (lost > VerdictLimits{}.good_lost)
-            verdict.reasons.push_back(name + "lost " + text::percent(lost) +
+        if (board.lostShare() > VerdictLimits{}.good_lost)
+            verdict.reasons.push_back(name + "lost " + text::percent(board.lostShare()) +
                                       " of its frames. Check its plug and cable.");
-        else if (share < kGoodReadings)
-            verdict.reasons.push_back(name + "delivered " + text::percent(share) +
+        else if (board.readingShare() < kGoodReadings)
+            verdict.reasons.push_back(name + "delivered " + text::percent(board.readingShare()) +
                                       " of its readings. Check its plug and cable.");
         if (board.clipped_gyro + board.clipped_accel > 0)
             verdict.reasons.push_back(

@@ -55,23 +55,39 @@ std::string progressText(const LiveSession& session, double reached_s) {
            std::string(recording->is_locked ? "; another program holds the take, what comes waits" : "");
 }
 
-using Clock = std::chrono::steady_clock;
+/// A box that is gone counts no samples: then the time of day ends a take. It begins where the samples ended,
+/// and with some patience: a busy computer may begin late.
+class EndOfTake {
+public:
+    explicit EndOfTake(std::optional<double> seconds) : seconds_(seconds) {}
 
-/// A box that is gone counts no samples: then the time of day ends a take.
-bool isOver(Clock::time_point begun, double seconds) {
-    return std::chrono::duration<double>(Clock::now() - begun).count() >= seconds;
-}
+    bool isReached(double reached_s) {
+        if (reached_s > reached_s_) {
+            reached_s_ = reached_s;
+            since_ = Clock::now();
+        }
+        const double still_s = std::chrono::duration<double>(Clock::now() - since_).count();
+        return seconds_ && (reached_s >= *seconds_ || reached_s + still_s >= *seconds_ + kPatience_s);
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    static constexpr double kPatience_s = 5;
+
+    std::optional<double> seconds_;
+    double reached_s_ = 0;
+    Clock::time_point since_ = Clock::now();
+};
 
 /// Until the time is over, somebody stops it or ends it from elsewhere, or it ends by itself.
 template <class Ended>
 bool watch(LiveSession& session, std::optional<double> seconds, const JobContext& job,
            Ended ended_elsewhere) {
     const double rate_hz = session.status()->hello->sample_rate_hz;
-    const auto begun = Clock::now();
+    EndOfTake end(seconds);
     while (session.status()->stream_is_open && !session.recording()->ended && !ended_elsewhere()) {
         const double reached_s = static_cast<double>(session.reachedSample()) / rate_hz;
-        if (seconds && (reached_s >= *seconds ||
-                        (session.status()->link != LinkState::kStreaming && isOver(begun, *seconds))))
+        if (end.isReached(reached_s))
             return false;
         if (job.cancelled())
             return true;
@@ -202,10 +218,10 @@ std::string groupProgress(const LiveGroup& group, double reached_s) {
 /// As watch(), until the slowest suit that flows has come so far.
 bool watchAll(const LiveGroup& group, std::optional<double> seconds, const JobContext& job) {
     double shown_s = 0;
-    const auto begun = Clock::now();
+    EndOfTake end(seconds);
     while (group.isRecording()) {
         const auto reached_s = group.reached_s();
-        if (seconds && (reached_s ? *reached_s >= *seconds : isOver(begun, *seconds)))
+        if (end.isReached(reached_s.value_or(shown_s)))
             return false;
         if (job.cancelled())
             return true;

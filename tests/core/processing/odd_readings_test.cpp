@@ -74,6 +74,13 @@ TEST_F(OddReadings, AHoleOfAMinuteIsBridgedAndCanBeCancelled) {
     EXPECT_TRUE(processed());
 }
 
+TEST_F(OddReadings, PosesEndSoonAfterTheLastReading) {
+    change("INSERT INTO meta(key,value) VALUES('sample_count','540000000'); DELETE FROM pulse");  // an hour
+    const auto summary = processed();
+    ASSERT_TRUE(summary) << summary.error().text();
+    EXPECT_LE(take().poses(summary->pose_run)->frames.back().time_ns, 602'100'000'000);
+}
+
 TEST_F(OddReadings, PosesBeginWithTheFirstReading) {
     change("UPDATE inertial SET sample=sample+15000000; DELETE FROM pulse");
     const auto summary = processed();
