@@ -8,7 +8,7 @@ set -euo pipefail
 
 jobs_need=(
     g++ cmake ninja-build
-    clang                # builds in four fifths of the time of GCC, which builds the presets dev and of sanitizers
+    clang                # builds in four fifths of the time of GCC, which builds the preset dev
     python3              # Python3: the checks and the tables of figures, standard library only
     pkg-config           # PkgConfig
     libeigen3-dev        # Eigen3

@@ -31,8 +31,12 @@ Result<OpenSimTable> openSimAngles(const MotionClip& clip);
 /// Columns "<body>_imu" with q_ground_body.
 Result<OpenSimTable> openSimOrientations(const MotionClip& clip);
 
+/// What cells that say "NaN" are.
+enum class MissingCells { kRefused, kNan };
+
 /// kUnreadable with line.
-Result<OpenSimTable> parseOpenSimTable(const std::string& text, const std::string& where);
+Result<OpenSimTable> parseOpenSimTable(const std::string& text, const std::string& where,
+                                       MissingCells missing = MissingCells::kRefused);
 
 /// Writes aside, reads back, compares and only then gives the file its name.
 Status writeOpenSimTable(const std::string& path, const OpenSimTable& table, bool overwrite);

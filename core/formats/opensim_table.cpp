@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <limits>
 
 #include "core/formats/number_text.h"
 #include "core/formats/opensim.h"
@@ -41,6 +44,12 @@ std::vector<std::string> cellsOf(const std::string& line, const char* separators
     return cells;
 }
 
+bool isNan(std::string_view cell) {
+    std::string lower(trimmed(cell));
+    std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    return lower == "nan" || lower == "-nan";
+}
+
 Status sameTable(const OpenSimTable& wanted, const Result<OpenSimTable>& read, const std::string& path) {
     bool same = read && read->columns == wanted.columns && read->header == wanted.header &&
                 read->values.size() == wanted.values.size();
@@ -57,7 +66,8 @@ Status sameTable(const OpenSimTable& wanted, const Result<OpenSimTable>& read, c
 
 }  // namespace
 
-Result<OpenSimTable> parseOpenSimTable(const std::string& text, const std::string& where) {
+Result<OpenSimTable> parseOpenSimTable(const std::string& text, const std::string& where,
+                                       MissingCells missing) {
     OpenSimTable table;
     size_t line_number = 0;
     const auto damaged = [&](const std::string& what) {
@@ -85,9 +95,13 @@ Result<OpenSimTable> parseOpenSimTable(const std::string& text, const std::strin
             if (cells.size() != table.width)
                 return damaged("it holds " + std::to_string(cells.size()) + " numbers instead of " +
                                std::to_string(table.width));
-            for (const std::string& cell : cells)
-                if (!parseFiniteNumber(cell, table.values.emplace_back()))
-                    return damaged(inQuotes(cell) + " is not a number");
+            for (size_t c = 0; c < cells.size(); ++c) {
+                double& value = table.values.emplace_back();
+                if (c > 0 && missing == MissingCells::kNan && isNan(cells[c]))
+                    value = std::numeric_limits<double>::quiet_NaN();
+                else if (!parseFiniteNumber(cells[c], value))
+                    return damaged(inQuotes(cells[c]) + " is not a number");
+            }
         }
     }
     if (table.rows() == 0)

@@ -56,11 +56,15 @@ std::map<std::string, Quantities> sensorsIn(const MatArrays& arrays) {
     return found;
 }
 
+/// By its whole name, else by that of a struct's member: "sampling_rate", "data.sampling_rate".
 const Eigen::MatrixXd* arrayOf(const MatArrays& arrays, std::initializer_list<const char*> names) {
-    for (const char* name : names)
-        for (const auto& [key, array] : arrays)
-            if (lowerCase(key) == name && array.size() > 0)
-                return &array;
+    for (const bool as_member : {false, true})
+        for (const char* name : names)
+            for (const auto& [key, array] : arrays) {
+                const size_t member = as_member ? key.rfind('.') + 1 : 0;  // npos + 1 is 0
+                if (lowerCase(key.substr(member)) == name && array.size() > 0)
+                    return &array;
+            }
     return nullptr;
 }
 

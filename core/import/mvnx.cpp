@@ -35,6 +35,33 @@ struct OrderedSegment {
     int parent;
 };
 
+/// MVN's own body, for files that do not say how their segments hang together: segment and the one it hangs
+/// on.
+constexpr std::pair<const char*, const char*> kMvnBody[] = {
+    {"L5", "Pelvis"},
+    {"L3", "L5"},
+    {"T12", "L3"},
+    {"T8", "T12"},
+    {"Neck", "T8"},
+    {"Head", "Neck"},
+    {"RightShoulder", "T8"},
+    {"RightUpperArm", "RightShoulder"},
+    {"RightForeArm", "RightUpperArm"},
+    {"RightHand", "RightForeArm"},
+    {"LeftShoulder", "T8"},
+    {"LeftUpperArm", "LeftShoulder"},
+    {"LeftForeArm", "LeftUpperArm"},
+    {"LeftHand", "LeftForeArm"},
+    {"RightUpperLeg", "Pelvis"},
+    {"RightLowerLeg", "RightUpperLeg"},
+    {"RightFoot", "RightLowerLeg"},
+    {"RightToe", "RightFoot"},
+    {"LeftUpperLeg", "Pelvis"},
+    {"LeftLowerLeg", "LeftUpperLeg"},
+    {"LeftFoot", "LeftLowerLeg"},
+    {"LeftToe", "LeftFoot"},
+};
+
 std::vector<OrderedSegment> orderedSegments(const MvnxFile& file) {
     const size_t count = file.segments.size();
     const auto indexOf = [&](const std::string& label) {
@@ -44,6 +71,10 @@ std::vector<OrderedSegment> orderedSegments(const MvnxFile& file) {
     for (const MvnxJoint& joint : file.joints)
         if (const size_t child = indexOf(joint.child); child < count)
             parent[child] = indexOf(joint.parent);
+    if (file.joints.empty())
+        for (const auto& [below, above] : kMvnBody)
+            if (const size_t child = indexOf(below); child < count)
+                parent[child] = indexOf(above);
     std::vector<OrderedSegment> order;
     for (size_t s = 0; s < count; ++s)
         if (parent[s] == count)

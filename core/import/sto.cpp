@@ -51,7 +51,8 @@ SensorRows rowsOfColumn(const OpenSimTable& table, size_t column, const Quaterni
 Result<ImportedRecording> readSto(const std::vector<ImportFile>& files, const ImportChoice& choice,
                                   const JobContext&) {
     const ImportFile& file = files.front();
-    const auto table = parseOpenSimTable(plainLines(withoutByteOrderMark(file.bytes)), file.path);
+    const auto table =
+        parseOpenSimTable(plainLines(withoutByteOrderMark(file.bytes)), file.path, MissingCells::kNan);
     if (!table)
         return table.error();
     const size_t sensors = table->columns.size() - 1;

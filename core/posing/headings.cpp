@@ -110,13 +110,21 @@ ImuSamples samplesOf(const SensorTracks& tracks, size_t sensor) {
 class Problem {
 public:
     Problem(const SensorTracks& tracks, const std::vector<SensorPair>& pairs, size_t standing,
-            const HeadingSettings& settings)
+            const StatedHeadings& stated, const HeadingSettings& settings)
         : tracks_(tracks), pairs_(pairs), settings_(settings) {
         const double duration_s = double(tracks.size()) / tracks.rate_hz;
         knot_s_ = std::max(settings.knot_s, duration_s / kMostKnots);
         knots_ = size_t(std::ceil(duration_s / knot_s_)) + 1;
         standing_ = std::min(knots_ - 1, size_t(std::lround(double(standing) / tracks.rate_hz / knot_s_)));
         x_ = Eigen::VectorXd::Zero(Eigen::Index(tracks.sensors.size() * (knots_ + 1)));
+        for (const SensorPair& pair : pairs) {
+            const auto &above = stated[pair.above], &below = stated[pair.below];
+            if (above && below)
+                stated_.emplace_back(StatedHeading{below->heading_rad - above->heading_rad,
+                                                   std::hypot(below->sigma_rad, above->sigma_rad)});
+            else
+                stated_.emplace_back();
+        }
     }
 
     Status gather(const JobContext& job) {
@@ -138,12 +146,17 @@ public:
         for (size_t p = 0; p < pairs_.size(); ++p) {
             double last = 0;
             for (size_t k = 0; k < knots_; ++k) {
+                const auto fade = [&](size_t j) {
+                    return std::exp(-std::abs(double(j) - double(k)) * knot_s_ / kSmoothed_s);
+                };
                 Complex sum = 1e-6 * std::polar(1.0, last);
+                if (stated_[p])
+                    sum += std::polar(fade(standing_) / std::pow(stated_[p]->sigma_rad, 2),
+                                      stated_[p]->heading_rad);
                 for (size_t j = 0; j < knots_; ++j) {
                     const Window& w = windows_[p][j];
                     if (w.information > 0 && std::abs(w.sum) > 0)
-                        sum += w.information * w.sum / std::abs(w.sum) *
-                               std::exp(-std::abs(double(j) - double(k)) * knot_s_ / kSmoothed_s);
+                        sum += w.information * w.sum / std::abs(w.sum) * fade(j);
                 }
                 last += wrapped(std::arg(sum) - last);
                 x_[at(pairs_[p].below, k)] = x_[at(pairs_[p].above, k)] + last;
@@ -214,16 +227,20 @@ private:
         }
     }
 
+    /// What pair p is told of its headings' difference at knot k.
+    void addDifference(size_t p, size_t k, double difference_rad, double sigma_rad) {
+        const Eigen::Index a = at(pairs_[p].above, k), b = at(pairs_[p].below, k);
+        add({{b, 1}, {a, -1}}, wrapped(difference_rad - (x_[b] - x_[a])), sigma_rad, true);
+    }
+
     void addPairs() {
-        for (size_t p = 0; p < pairs_.size(); ++p)
-            for (size_t k = 0; k < knots_; ++k) {
-                const Window& w = windows_[p][k];
-                if (w.information <= 0)
-                    continue;
-                const Eigen::Index a = at(pairs_[p].above, k), b = at(pairs_[p].below, k);
-                add({{b, 1}, {a, -1}}, wrapped(std::arg(w.sum) - (x_[b] - x_[a])),
-                    1 / std::sqrt(w.information), true);
-            }
+        for (size_t p = 0; p < pairs_.size(); ++p) {
+            for (size_t k = 0; k < knots_; ++k)
+                if (const Window& w = windows_[p][k]; w.information > 0)
+                    addDifference(p, k, std::arg(w.sum), 1 / std::sqrt(w.information));
+            if (stated_[p])
+                addDifference(p, standing_, stated_[p]->heading_rad, stated_[p]->sigma_rad);
+        }
     }
 
     void addDrift() {
@@ -301,6 +318,7 @@ private:
     double knot_s_ = 1;
     size_t knots_ = 0, standing_ = 0;
     std::vector<std::vector<Window>> windows_;
+    StatedHeadings stated_;  ///< per pair: of the one below against the one above
     Eigen::VectorXd x_, right_;
     std::vector<Eigen::Triplet<double>> triplets_;
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
@@ -313,8 +331,9 @@ Quaterniond Headings::turned(const SensorTracks& tracks, size_t sensor, size_t i
 }
 
 Result<Headings> agreeHeadings(const SensorTracks& tracks, const std::vector<SensorPair>& pairs,
-                               size_t standing, const HeadingSettings& settings, const JobContext& job) {
-    Problem problem(tracks, pairs, standing, settings);
+                               size_t standing, const StatedHeadings& stated, const HeadingSettings& settings,
+                               const JobContext& job) {
+    Problem problem(tracks, pairs, standing, stated, settings);
     if (Status gathered = problem.gather(job); !gathered)
         return gathered.error();
     problem.guess();

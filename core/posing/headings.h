@@ -33,8 +33,16 @@ struct Headings {
     Quaterniond turned(const SensorTracks& tracks, size_t sensor, size_t i) const;
 };
 
+/// A sensor's heading while the body stands and faces Z, from its stated mounting and a marked rest pose.
+struct StatedHeading {
+    double heading_rad = 0, sigma_rad = 0;
+};
+/// Per sensor; none: its heading while standing must come from the movement.
+using StatedHeadings = std::vector<std::optional<StatedHeading>>;
+
 /// The first sensor keeps its heading at `standing`. Errors: kCancelled alone.
 Result<Headings> agreeHeadings(const SensorTracks& tracks, const std::vector<SensorPair>& pairs,
-                               size_t standing, const HeadingSettings& settings, const JobContext& job);
+                               size_t standing, const StatedHeadings& stated, const HeadingSettings& settings,
+                               const JobContext& job);
 
 }  // namespace noctule::posing

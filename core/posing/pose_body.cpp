@@ -141,10 +141,11 @@ Result<BodyMotion> poseBody(const Actor& actor, const SensorTracks& given,
     if (!rest && !out.standing.walks)
         out.warnings.push_back(
             "No walking was found: the performer is believed to stand upright in the first still second.");
-    auto headings = agreeHeadings(tracks, pairs, out.standing.middle(), settings.headings, job);
+    const StatedHeadings stated = statedHeadings(actor, tracks, out.standing);
+    auto headings = agreeHeadings(tracks, pairs, out.standing.middle(), stated, settings.headings, job);
     if (!headings)
         return headings.error();
-    const Mountings mountings = findMountings(actor, tracks, *headings, pairs, out.standing);
+    const Mountings mountings = findMountings(actor, tracks, *headings, pairs, out.standing, stated);
     out.warnings.insert(out.warnings.end(), headings->warnings.begin(), headings->warnings.end());
     out.warnings.insert(out.warnings.end(), mountings.warnings.begin(), mountings.warnings.end());
     const BodyPoser poser(actor, tracks, *headings, mountings, settings);

@@ -3,6 +3,7 @@
 // sensor by itself, with a heading that may be anything, and its readings.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,9 +11,16 @@
 
 namespace noctule::posing {
 
+/// How a sensor is turned on its segment by the suit's or the calibration's word.
+struct StatedMounting {
+    Quaterniond q_segment_sensor = Quaterniond::Identity();
+    double sigma_rad = 0;
+};
+
 struct SensorTrack {
     std::string id;
-    std::string segment;  ///< canonical joint
+    std::string segment;                     ///< canonical joint
+    std::optional<StatedMounting> mounting;  ///< none: it sits anyhow
     // One entry per instant each; NaN: missing.
     std::vector<Quaterniond> q_world_sensor;
     std::vector<Vector3d> rate_rad_per_s;  ///< sensor's frame

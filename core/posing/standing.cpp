@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 
 #include "core/assignment/joint_evidence.h"
 #include "core/math/linear_solvers.h"
@@ -22,6 +23,7 @@ constexpr double kClearBend_rad = 0.35;  ///< of a knee, to tell its axis
 constexpr double kFewestBends_s = 1;
 constexpr double kMostTurnedOut_rad = 0.44;
 constexpr double kClearVote_rad = 0.05;
+constexpr double kMostTilted_rad = 1;  ///< beyond it a stated mounting is of no use
 
 bool isLeg(const std::string& segment) {
     return segment.ends_with("UpLeg") || segment.ends_with("Leg");
@@ -145,14 +147,14 @@ private:
     std::vector<std::vector<double>> activity_;
 };
 
-/// Mean attitude; the standing second is still, so that a sum of quaternions serves.
-Quaterniond meanAttitude(const SensorTracks& tracks, const Headings& headings, size_t sensor,
-                         const Standing& standing) {
+/// Mean of `attitude(i)`; the standing second is still, so that a sum of quaternions serves.
+template <class Attitude>
+Quaterniond meanAttitude(const SensorTrack& track, const Standing& standing, Attitude attitude) {
     Eigen::Vector4d sum = Eigen::Vector4d::Zero();
     for (size_t i = standing.first; i <= standing.last; ++i) {
-        if (!tracks.sensors[sensor].has(i))
+        if (!track.has(i))
             continue;
-        const Eigen::Vector4d q = headings.turned(tracks, sensor, i).coeffs();
+        const Eigen::Vector4d q = attitude(i).coeffs();
         sum += sum.dot(q) < 0 ? Eigen::Vector4d(-q) : q;
     }
     return sum.norm() > 0 ? Quaterniond(Eigen::Vector4d(sum.normalized())) : Quaterniond::Identity();
@@ -283,6 +285,17 @@ bool standsWith(const SensorTrack& track, const Standing& standing) {
     return false;
 }
 
+/// Which way the body faces by the stated headings; none: nothing is stated.
+std::optional<double> statedFacing(const Headings& headings, const StatedHeadings& stated,
+                                   const Standing& standing) {
+    std::complex<double> sum = 0;
+    for (size_t s = 0; s < stated.size(); ++s)
+        if (stated[s])
+            sum += std::polar(1 / std::pow(stated[s]->sigma_rad, 2),
+                              headings.heading_rad[s][standing.middle()] - stated[s]->heading_rad);
+    return sum == 0.0 ? std::nullopt : std::optional(std::arg(sum));
+}
+
 /// Per sensor: a leg's sensors share what its knee tells.
 std::vector<double> legsTurnedOut(const SensorTracks& tracks, const std::vector<SensorPair>& pairs,
                                   const Facing& body, double facing_rad) {
@@ -319,14 +332,37 @@ Pose standingPose(const Actor& actor, bool rest) {
     return pose;
 }
 
+StatedHeadings statedHeadings(const Actor& actor, const SensorTracks& tracks, const Standing& standing) {
+    StatedHeadings out(tracks.sensors.size());
+    if (!standing.marked)
+        return out;
+    const GlobalPose pose = globalPose(actor.skeleton, standingPose(actor, true));
+    for (size_t s = 0; s < out.size(); ++s) {
+        const SensorTrack& track = tracks.sensors[s];
+        if (!track.mounting || !standsWith(track, standing))
+            continue;
+        const auto joint = size_t(actor.skeleton.find(track.segment));
+        const Quaterniond turn =
+            pose.q_world_joint[joint] * track.mounting->q_segment_sensor *
+            meanAttitude(track, standing, [&](size_t i) { return track.q_world_sensor[i]; }).conjugate();
+        const double tilt_rad = std::acos(std::clamp((turn * Vector3d::UnitY()).y(), -1.0, 1.0));
+        if (tilt_rad < kMostTilted_rad)
+            out[s] = {2 * std::atan2(turn.y(), turn.w()), std::hypot(track.mounting->sigma_rad, tilt_rad)};
+    }
+    return out;
+}
+
 Mountings findMountings(const Actor& actor, const SensorTracks& tracks, const Headings& headings,
-                        const std::vector<SensorPair>& pairs, const Standing& standing) {
+                        const std::vector<SensorPair>& pairs, const Standing& standing,
+                        const StatedHeadings& stated) {
     Mountings out;
     std::vector<Quaterniond> q_standing;
     for (size_t s = 0; s < tracks.sensors.size(); ++s)
-        q_standing.push_back(meanAttitude(tracks, headings, s, standing));
+        q_standing.push_back(meanAttitude(tracks.sensors[s], standing,
+                                          [&](size_t i) { return headings.turned(tracks, s, i); }));
     const Facing body(tracks, headings, pairs, q_standing);
-    out.facing_rad = body.find(out.warnings);
+    const auto facing_rad = statedFacing(headings, stated, standing);
+    out.facing_rad = facing_rad ? *facing_rad : body.find(out.warnings);
     const auto turned_out = legsTurnedOut(tracks, pairs, body, out.facing_rad);
     const GlobalPose pose = globalPose(actor.skeleton, standingPose(actor, standing.marked));
     for (size_t s = 0; s < tracks.sensors.size(); ++s) {

@@ -23,6 +23,10 @@ Standing findStanding(const SensorTracks& tracks);
 /// Upright, arms hanging, palms to the thighs, faces Z; `rest`: in the actor's rest pose.
 Pose standingPose(const Actor& actor, bool rest);
 
+/// Of a marked rest pose and the mountings that the tracks state; a sensor that is inclined otherwise than
+/// its mounting says is believed the less.
+StatedHeadings statedHeadings(const Actor& actor, const SensorTracks& tracks, const Standing& standing);
+
 struct Mountings {
     std::vector<Quaterniond> q_segment_sensor;  ///< per sensor
     std::vector<char> known;  ///< per sensor; 0: it does not read while the performer stands
@@ -30,6 +34,7 @@ struct Mountings {
     std::vector<std::string> warnings;
 };
 Mountings findMountings(const Actor& actor, const SensorTracks& tracks, const Headings& headings,
-                        const std::vector<SensorPair>& pairs, const Standing& standing);
+                        const std::vector<SensorPair>& pairs, const Standing& standing,
+                        const StatedHeadings& stated);
 
 }  // namespace noctule::posing

@@ -17,10 +17,13 @@ constexpr double kFewestPoses_hz = 25, kMostPoses_hz = 120;
 constexpr int64_t kBridged_ns = 300'000'000;  ///< shorter gaps of one sensor are interpolated
 constexpr double kMakersHeading_rad = 0.1;    ///< attitudes of a maker's method whose heading is not said
 constexpr double kNoNorth_rad = std::numbers::pi;
+constexpr double kHeldRest_rad = 0.1;         ///< how exactly a rest pose is held
+constexpr double kNominalMounting_rad = 0.2;  ///< straps that nothing was measured of
 
 /// One sensor at its own rate.
 struct OwnTrack {
     std::string id, segment;
+    std::optional<posing::StatedMounting> mounting;
     std::vector<int64_t> time_ns;
     std::vector<Quaterniond> q_world_sensor;
     std::vector<Vector3d> rate_rad_per_s, accel_m_per_s2;
@@ -89,7 +92,7 @@ private:
         if (!readings)
             return readings.error();
         const Board& board = in_.suit.boards[b];
-        OwnTrack track{board.id, board.segment, {}, {}, {}, {}, {}};
+        OwnTrack track{board.id, board.segment, mountingOf(b), {}, {}, {}, {}, {}};
         const size_t rows = readings->samples.size();
         if (rows > 0 && double(readings->missing) < 0.5 * double(rows))
             return estimated(std::move(track), *readings);
@@ -99,6 +102,26 @@ private:
         if (!told)
             return told.error();
         return fromAttitudes(std::move(track), *told, *readings);
+    }
+
+    /// An import leaves places and turns of all its boards at zero: it knows none.
+    bool suitStatesMountings() const {
+        return std::ranges::any_of(in_.suit.boards, [](const Board& board) {
+            return !board.p_segment_board_m.isZero() || std::abs(board.q_segment_board.w()) < 1;
+        });
+    }
+
+    std::optional<posing::StatedMounting> mountingOf(size_t b) const {
+        const BoardCalibration& board = calibration_.boards[b];
+        if (board.q_segment_board)
+            return posing::StatedMounting{
+                *board.q_segment_board,
+                std::hypot(kHeldRest_rad, board.sigma_mounting_rad ? board.sigma_mounting_rad->maxCoeff()
+                                                                   : kNominalMounting_rad)};
+        if (suitStatesMountings())
+            return posing::StatedMounting{in_.suit.boards[b].q_segment_board,
+                                          std::hypot(kHeldRest_rad, kNominalMounting_rad)};
+        return std::nullopt;
     }
 
     Result<OwnTrack> estimated(OwnTrack track, BoardReadings& readings) {
@@ -176,6 +199,7 @@ posing::SensorTrack onGrid(const OwnTrack& track, int64_t first_ns, double rate_
     posing::SensorTrack out;
     out.id = track.id;
     out.segment = track.segment;
+    out.mounting = track.mounting;
     const auto half_ns = int64_t(0.5e9 / rate_hz);
     size_t after = 0;
     for (size_t row = 0; row < rows; ++row) {

@@ -69,6 +69,7 @@ public:
             }
         }
         report_.link = plan_.link.status();
+        report_.silent_s = static_cast<double>(steadyNow_ns() - report_.link.state_arrived_ns) * 1e-9;
         report_.table = table_.text();
         return std::move(report_);
     }

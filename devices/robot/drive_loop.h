@@ -48,6 +48,7 @@ struct DriveReport {
     int64_t following = 0;              ///< commands while following
     double largest_speed_use = 0;       ///< of a joint's limit; at most 1
     double longest_hold_s = 0;          ///< from the last fresh pose or state to the last command that moved
+    double silent_s = 0;                ///< from the robot's last state to the end
     bool cancelled = false;
     LinkStatus link;
     std::string table;  ///< CSV, README.md

@@ -70,6 +70,8 @@ public:
         close(output_);
         pid_ = -1;
     }
+    /// It still runs and answers nothing.
+    void stall() { kill(pid_, SIGSTOP); }
     Beside(const Beside&) = delete;
     Beside& operator=(const Beside&) = delete;
     std::string address;
@@ -226,6 +228,29 @@ TEST_P(DriveVerbOnce, ADriveIsRecordedReadBackAndWritten) {
     EXPECT_EQ(batch({"export", take_, "--robot-csv", file("e.csv"), "--drive", "2"}).exit_code, 4);
     EXPECT_FALSE(std::filesystem::exists(file("e.csv")));
     EXPECT_EQ(batch({"export", take_, "--drive", "1"}).exit_code, 2);
+}
+
+TEST_P(DriveVerbOnce, ARobotThatFellSilentIsAFailure) {
+    Beside robot = virtualRobot(file("arm.urdf"), file("arm.json"), GetParam());
+    std::vector<std::string> all{"--batch"};
+    std::ranges::copy(words(robot.address), std::back_inserter(all));
+    all.insert(all.end(), {"--hold", "--repeat", "--seconds", "60", "--json"});
+    Started drive(all);
+    const auto says = [&](const char* words) {
+        for (int i = 0; i < 600 && drive.error().find(words) == std::string::npos; ++i)
+            usleep(50'000);
+        return drive.error().find(words) != std::string::npos;
+    };
+    ASSERT_TRUE(says("Now ")) << drive.error();
+    robot.stall();
+    ASSERT_TRUE(says("The robot")) << drive.error();
+    usleep(1'500'000);
+    drive.send(SIGINT);
+    const Ran ran = drive.wait();
+    robot.end(SIGKILL);
+    EXPECT_NE(ran.exit_code, 0);
+    EXPECT_NE(ran.err.find("fell silent"), std::string::npos) << ran.err;
+    EXPECT_GT(ran.json()["silent_at_end_s"].get<double>(), 1);
 }
 
 /// A worn suit, live over TCP, leads the arm. Then its box is gone from one moment to the next.

@@ -151,7 +151,7 @@ Result<Outcome> finishDrive(const VerbContext& context, const robot_link::DriveR
             return written.error();
     Outcome outcome{driveJson(report, drive, record.hands()), driveText(report, drive), std::nullopt};
     poses.tell(outcome.json);
-    for (const std::optional<Error>& trouble : {poses.trouble(), report.link.trouble})
+    for (const std::optional<Error>& trouble : {poses.trouble(), robotTrouble(report, drive.address)})
         if (trouble && !outcome.failure) {
             context.console.error(*trouble);
             outcome.json["error"] = errorJson(*trouble);

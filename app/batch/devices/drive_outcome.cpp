@@ -6,6 +6,8 @@
 namespace noctule::batch {
 namespace {
 
+constexpr double kSilentAtEnd_s = 1;  ///< a state that only comes late is not missed
+
 nlohmann::json handsJson(const std::vector<robot::HandPair>& hands) {
     nlohmann::json all = nlohmann::json::array();
     for (const robot::HandPair& hand : hands) {
@@ -41,6 +43,15 @@ void HandRecord::add(const robot_link::DriveMoment& moment) {
         last_state_ns_ = moment.link.state_arrived_ns;
 }
 
+std::optional<Error> robotTrouble(const robot_link::DriveReport& report, const std::string& address) {
+    if (report.link.trouble || report.silent_s < kSilentAtEnd_s)
+        return report.link.trouble;
+    char silence[40];
+    std::snprintf(silence, sizeof silence, "%.1f s before the end", report.silent_s);
+    return Error{ErrorKind::kDevice, address + ": the robot fell silent " + silence,
+                 "Check its program and the network"};
+}
+
 nlohmann::json driveJson(const robot_link::DriveReport& report, const RobotDriveRow& drive,
                          const std::vector<robot::HandPair>& hands) {
     const LatencyHistogram& latency = report.link.latency;
@@ -54,6 +65,7 @@ nlohmann::json driveJson(const robot_link::DriveReport& report, const RobotDrive
                         {"states", report.link.states},
                         {"messages_refused", report.link.refused_messages},
                         {"reconnections", report.link.reconnections},
+                        {"silent_at_end_s", report.silent_s},
                         {"largest_speed_use", report.largest_speed_use},
                         {"longest_hold_ms", 1e3 * report.longest_hold_s}};
     json["latency"] = {{"count", latency.count()},

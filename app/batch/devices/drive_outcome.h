@@ -26,6 +26,9 @@ private:
     int64_t last_state_ns_ = 0;
 };
 
+/// Why the robot did not obey to the end; none: it did.
+std::optional<Error> robotTrouble(const robot_link::DriveReport& report, const std::string& address);
+
 /// Of `drive` its robot, address and joints count.
 nlohmann::json driveJson(const robot_link::DriveReport& report, const RobotDriveRow& drive,
                          const std::vector<robot::HandPair>& hands);

@@ -154,6 +154,22 @@ TEST(OpenSenseSto, AttitudesAndSegmentsAreRead) {
     EXPECT_NEAR(walked->sensors[0].q_world_sensor[0].norm(), 1, 1e-9);
 }
 
+TEST(OpenSenseSto, MissingAttitudesAreRowsThatAreLost) {
+    std::string text = stoExample();
+    const size_t row = text.find('\n', text.size() / 2) + 1, cell = text.find('\t', row) + 1;
+    text.replace(cell, text.find('\t', cell) - cell, "NaN,nan,NaN,NaN");
+    const auto read = readAs({{"walk.sto", text}});
+    ASSERT_TRUE(read) << read.error().text();
+    const auto lost = [](const ImportedSensor& sensor) {
+        return std::ranges::count_if(sensor.q_world_sensor,
+                                     [](const Quaterniond& q) { return !q.coeffs().allFinite(); });
+    };
+    EXPECT_EQ(lost(read->sensors[0]), 1);
+    EXPECT_EQ(lost(read->sensors[1]), 0);
+    text.replace(row, cell - 1 - row, "NaN");
+    EXPECT_FALSE(readAs({{"walk.sto", text}}));
+}
+
 TEST(Ximu3, CsvAndStreamAgree) {
     const auto csv = readAs({{"rec/pelvis 64F0EDBF (UDP)/Inertial.csv", ximu3Csv()}});
     ASSERT_TRUE(csv) << csv.error().text();
@@ -207,6 +223,13 @@ TEST(Mvnx, SensorsAndTheResultAreRead) {
     EXPECT_LT(
         (pose.p_world_joint[1] - Vector3d(2 - 0.1 * std::cos(0.1), 0.9, 1 + 0.1 * std::sin(0.1))).norm(),
         1e-5);
+    std::string unjoined = mvnxExample();
+    const size_t joints = unjoined.find("<joints>");
+    ASSERT_NE(joints, std::string::npos);
+    unjoined.erase(joints, unjoined.find("</joints>") + 9 - joints);
+    const auto same = readAs({{"walk.mvnx", unjoined}});
+    ASSERT_TRUE(same && same->reference) << "MVN's body is known without its joints";
+    EXPECT_EQ(same->reference->skeleton.joint(1).offset_m, skeleton.joint(1).offset_m);
 }
 
 TEST(Mvnx, CutFilesKeepWholeFramesAndWrongCountsAreErrors) {

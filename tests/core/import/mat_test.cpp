@@ -214,6 +214,11 @@ TEST(MatRecording, MissingPartsAreNamed) {
     ASSERT_FALSE(no_rate);
     EXPECT_NE(no_rate.error().text().find("--rate"), std::string::npos);
     EXPECT_TRUE(recordingFromMat(arrays, "x", 100));
+    MatArrays in_struct = arrays;
+    in_struct["data.sampling_rate"] = Eigen::MatrixXd::Constant(1, 1, 250);
+    const auto member = recordingFromMat(in_struct, "x");
+    ASSERT_TRUE(member) << member.error().text();
+    EXPECT_EQ(member->sensors[0].samples.rate_hz, 250);
     arrays["imu_acc"].conservativeResize(1999, 3);
     const auto uneven = recordingFromMat(arrays, "x", 100);
     ASSERT_FALSE(uneven);

@@ -68,6 +68,7 @@ inline Pose walkAt(const Actor& actor, double t) {
 struct MadeSuit {
     SensorTracks tracks;
     std::vector<Pose> truth;
+    std::vector<Quaterniond> q_segment_sensor;  ///< per sensor; the tracks do not state it
 };
 
 inline MadeSuit madeSuit(const Actor& actor, const std::vector<std::string>& segments, unsigned seed,
@@ -115,6 +116,7 @@ inline MadeSuit madeSuit(const Actor& actor, const std::vector<std::string>& seg
             track.heading_sigma_rad.push_back(std::numbers::pi);
         }
         suit.tracks.sensors.push_back(std::move(track));
+        suit.q_segment_sensor.push_back(q_segment_sensor);
     }
     return suit;
 }

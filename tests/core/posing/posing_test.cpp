@@ -97,6 +97,61 @@ TEST(PoseBody, SensorsThatLeaveAndReturnMakeNoJump) {
     EXPECT_LT(jointError_deg(actor, motion, suit, "LeftLeg"), 3);
 }
 
+/// An actor whose rest pose is that in which the made walk begins.
+Actor actorWhoRestsStanding() {
+    Actor actor = defaultActor();
+    actor.rest_q_parent_joint = standingPose(actor, false).q_parent_joint;
+    return actor;
+}
+
+/// Mountings as a suit states them: each is off by some degrees about each axis.
+void stateMountings(MadeSuit& suit, double off_deg) {
+    for (size_t s = 0; s < suit.tracks.sensors.size(); ++s) {
+        const double sign = s % 2 == 0 ? 1 : -1;
+        suit.tracks.sensors[s].mounting = StatedMounting{
+            expQuaternion(radians(off_deg) * Vector3d(sign, -sign, 0.5)) * suit.q_segment_sensor[s], 0.15};
+    }
+}
+
+double worstSegment_deg(const Actor& actor, const MadeSuit& suit) {
+    const auto motion = poseBody(actor, suit.tracks, std::pair<size_t, size_t>{25, 75}, {}, {});
+    if (!motion)
+        return ADD_FAILURE() << motion.error().text(), 180;
+    double worst = 0;
+    for (const std::string& segment : kWhole)
+        worst = std::max(worst, segmentError_deg(actor, *motion, suit, segment, "Hips"));
+    return worst;
+}
+
+TEST(PoseBody, AMarkedRestPoseAndStatedMountingsGiveHeadingsThatNoMovementTells) {
+    const Actor actor = actorWhoRestsStanding();
+    for (unsigned seed = 7; seed <= 8; ++seed) {
+        MadeSuit suit = madeSuit(actor, kWhole, seed);
+        for (SensorTrack& track : suit.tracks.sensors)
+            for (Vector3d& accel : track.accel_m_per_s2)
+                accel.setConstant(std::nan(""));
+        EXPECT_GT(worstSegment_deg(actor, suit), 30) << "seed " << seed;
+        stateMountings(suit, 4);
+        EXPECT_LT(worstSegment_deg(actor, suit), 12) << "seed " << seed;
+    }
+}
+
+TEST(PoseBody, AMountingThatIsStatedWrongIsOutvotedByTheMovement) {
+    const Actor actor = actorWhoRestsStanding();
+    MadeSuit suit = madeSuit(actor, kWhole, 9);
+    stateMountings(suit, 4);
+    const double right = worstSegment_deg(actor, suit);
+    for (SensorTrack& track : suit.tracks.sensors)
+        if (track.segment == "LeftLeg")
+            track.mounting->q_segment_sensor =
+                axisAngle(Vector3d::UnitY(), radians(70)) * track.mounting->q_segment_sensor;
+        else if (track.segment == "RightForeArm")
+            track.mounting->q_segment_sensor =
+                axisAngle(Vector3d::UnitZ(), radians(170)) * track.mounting->q_segment_sensor;
+    EXPECT_LT(right, 5);
+    EXPECT_LT(worstSegment_deg(actor, suit), 6);
+}
+
 TEST(PoseBody, ErrorsNameWhatIsMissing) {
     const Actor actor = defaultActor();
     SensorTracks tracks = madeSuit(actor, {"Hips"}, 6).tracks;
