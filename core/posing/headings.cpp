@@ -111,20 +111,12 @@ class Problem {
 public:
     Problem(const SensorTracks& tracks, const std::vector<SensorPair>& pairs, size_t standing,
             const StatedHeadings& stated, const HeadingSettings& settings)
-        : tracks_(tracks), pairs_(pairs), settings_(settings) {
+        : tracks_(tracks), pairs_(pairs), stated_(stated), settings_(settings) {
         const double duration_s = double(tracks.size()) / tracks.rate_hz;
         knot_s_ = std::max(settings.knot_s, duration_s / kMostKnots);
         knots_ = size_t(std::ceil(duration_s / knot_s_)) + 1;
         standing_ = std::min(knots_ - 1, size_t(std::lround(double(standing) / tracks.rate_hz / knot_s_)));
-        x_ = Eigen::VectorXd::Zero(Eigen::Index(tracks.sensors.size() * (knots_ + 1)));
-        for (const SensorPair& pair : pairs) {
-            const auto &above = stated[pair.above], &below = stated[pair.below];
-            if (above && below)
-                stated_.emplace_back(StatedHeading{below->heading_rad - above->heading_rad,
-                                                   std::hypot(below->sigma_rad, above->sigma_rad)});
-            else
-                stated_.emplace_back();
-        }
+        x_ = Eigen::VectorXd::Zero(Eigen::Index(tracks.sensors.size() * (knots_ + 1) + 1));
     }
 
     Status gather(const JobContext& job) {
@@ -150,9 +142,11 @@ public:
                     return std::exp(-std::abs(double(j) - double(k)) * knot_s_ / kSmoothed_s);
                 };
                 Complex sum = 1e-6 * std::polar(1.0, last);
-                if (stated_[p])
-                    sum += std::polar(fade(standing_) / std::pow(stated_[p]->sigma_rad, 2),
-                                      stated_[p]->heading_rad);
+                if (const auto& above = stated_[pairs_[p].above], &below = stated_[pairs_[p].below];
+                    above && below)
+                    sum += std::polar(
+                        fade(standing_) / (std::pow(above->sigma_rad, 2) + std::pow(below->sigma_rad, 2)),
+                        below->heading_rad - above->heading_rad);
                 for (size_t j = 0; j < knots_; ++j) {
                     const Window& w = windows_[p][j];
                     if (w.information > 0 && std::abs(w.sum) > 0)
@@ -162,12 +156,18 @@ public:
                 x_[at(pairs_[p].below, k)] = x_[at(pairs_[p].above, k)] + last;
             }
         }
+        for (size_t s = 0; s < stated_.size(); ++s)
+            if (stated_[s]) {
+                x_[facing()] = x_[at(s, standing_)] - stated_[s]->heading_rad;
+                break;
+            }
     }
 
     Status solve(const JobContext& job) {
         for (int step = 0; step < kGaussNewtonSteps; ++step) {
             begin();
             addPairs();
+            addStated();
             addDrift();
             addNorth();
             // The first sensor's heading while the body stands is where all are counted from.
@@ -201,12 +201,15 @@ public:
                                        " is hardly known: neither its field nor its joints' movement tells "
                                        "it. Walk for ten seconds and more.");
         }
+        if (std::ranges::any_of(stated_, [](const auto& one) { return one.has_value(); }))
+            out.facing_rad = x_[facing()];
         return out;
     }
 
 private:
     Eigen::Index at(size_t sensor, size_t knot) const { return Eigen::Index(sensor * (knots_ + 1) + knot); }
     Eigen::Index drift(size_t sensor) const { return at(sensor, knots_); }
+    Eigen::Index facing() const { return x_.size() - 1; }
 
     void begin() {
         triplets_.clear();
@@ -227,20 +230,25 @@ private:
         }
     }
 
-    /// What pair p is told of its headings' difference at knot k.
-    void addDifference(size_t p, size_t k, double difference_rad, double sigma_rad) {
-        const Eigen::Index a = at(pairs_[p].above, k), b = at(pairs_[p].below, k);
-        add({{b, 1}, {a, -1}}, wrapped(difference_rad - (x_[b] - x_[a])), sigma_rad, true);
+    void addPairs() {
+        for (size_t p = 0; p < pairs_.size(); ++p)
+            for (size_t k = 0; k < knots_; ++k) {
+                const Window& w = windows_[p][k];
+                if (w.information <= 0)
+                    continue;
+                const Eigen::Index a = at(pairs_[p].above, k), b = at(pairs_[p].below, k);
+                add({{b, 1}, {a, -1}}, wrapped(std::arg(w.sum) - (x_[b] - x_[a])),
+                    1 / std::sqrt(w.information), true);
+            }
     }
 
-    void addPairs() {
-        for (size_t p = 0; p < pairs_.size(); ++p) {
-            for (size_t k = 0; k < knots_; ++k)
-                if (const Window& w = windows_[p][k]; w.information > 0)
-                    addDifference(p, k, std::arg(w.sum), 1 / std::sqrt(w.information));
-            if (stated_[p])
-                addDifference(p, standing_, stated_[p]->heading_rad, stated_[p]->sigma_rad);
-        }
+    /// Against the direction that the body faces, which is one more unknown.
+    void addStated() {
+        for (size_t s = 0; s < stated_.size(); ++s)
+            if (stated_[s])
+                add({{at(s, standing_), 1}, {facing(), -1}},
+                    wrapped(stated_[s]->heading_rad - (x_[at(s, standing_)] - x_[facing()])),
+                    stated_[s]->sigma_rad, true);
     }
 
     void addDrift() {
@@ -314,11 +322,11 @@ private:
 
     const SensorTracks& tracks_;
     const std::vector<SensorPair>& pairs_;
+    const StatedHeadings& stated_;
     HeadingSettings settings_;
     double knot_s_ = 1;
     size_t knots_ = 0, standing_ = 0;
     std::vector<std::vector<Window>> windows_;
-    StatedHeadings stated_;  ///< per pair: of the one below against the one above
     Eigen::VectorXd x_, right_;
     std::vector<Eigen::Triplet<double>> triplets_;
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;

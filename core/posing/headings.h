@@ -28,6 +28,7 @@ struct Headings {
     // Per sensor and instant; add to the heading of q_world_sensor (a turn about Y).
     std::vector<std::vector<double>> heading_rad;
     std::vector<std::vector<double>> sigma_rad;  ///< against the first sensor; up to pi
+    std::optional<double> facing_rad;            ///< of the body while it stands; none: no heading is stated
     std::vector<std::string> warnings;           ///< whole sentences
 
     Quaterniond turned(const SensorTracks& tracks, size_t sensor, size_t i) const;

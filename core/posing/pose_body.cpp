@@ -145,7 +145,7 @@ Result<BodyMotion> poseBody(const Actor& actor, const SensorTracks& given,
     auto headings = agreeHeadings(tracks, pairs, out.standing.middle(), stated, settings.headings, job);
     if (!headings)
         return headings.error();
-    const Mountings mountings = findMountings(actor, tracks, *headings, pairs, out.standing, stated);
+    const Mountings mountings = findMountings(actor, tracks, *headings, pairs, out.standing);
     out.warnings.insert(out.warnings.end(), headings->warnings.begin(), headings->warnings.end());
     out.warnings.insert(out.warnings.end(), mountings.warnings.begin(), mountings.warnings.end());
     const BodyPoser poser(actor, tracks, *headings, mountings, settings);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 
 #include "core/assignment/joint_evidence.h"
 #include "core/math/linear_solvers.h"
@@ -285,17 +284,6 @@ bool standsWith(const SensorTrack& track, const Standing& standing) {
     return false;
 }
 
-/// Which way the body faces by the stated headings; none: nothing is stated.
-std::optional<double> statedFacing(const Headings& headings, const StatedHeadings& stated,
-                                   const Standing& standing) {
-    std::complex<double> sum = 0;
-    for (size_t s = 0; s < stated.size(); ++s)
-        if (stated[s])
-            sum += std::polar(1 / std::pow(stated[s]->sigma_rad, 2),
-                              headings.heading_rad[s][standing.middle()] - stated[s]->heading_rad);
-    return sum == 0.0 ? std::nullopt : std::optional(std::arg(sum));
-}
-
 /// Per sensor: a leg's sensors share what its knee tells.
 std::vector<double> legsTurnedOut(const SensorTracks& tracks, const std::vector<SensorPair>& pairs,
                                   const Facing& body, double facing_rad) {
@@ -353,16 +341,14 @@ StatedHeadings statedHeadings(const Actor& actor, const SensorTracks& tracks, co
 }
 
 Mountings findMountings(const Actor& actor, const SensorTracks& tracks, const Headings& headings,
-                        const std::vector<SensorPair>& pairs, const Standing& standing,
-                        const StatedHeadings& stated) {
+                        const std::vector<SensorPair>& pairs, const Standing& standing) {
     Mountings out;
     std::vector<Quaterniond> q_standing;
     for (size_t s = 0; s < tracks.sensors.size(); ++s)
         q_standing.push_back(meanAttitude(tracks.sensors[s], standing,
                                           [&](size_t i) { return headings.turned(tracks, s, i); }));
     const Facing body(tracks, headings, pairs, q_standing);
-    const auto facing_rad = statedFacing(headings, stated, standing);
-    out.facing_rad = facing_rad ? *facing_rad : body.find(out.warnings);
+    out.facing_rad = headings.facing_rad ? *headings.facing_rad : body.find(out.warnings);
     const auto turned_out = legsTurnedOut(tracks, pairs, body, out.facing_rad);
     const GlobalPose pose = globalPose(actor.skeleton, standingPose(actor, standing.marked));
     for (size_t s = 0; s < tracks.sensors.size(); ++s) {

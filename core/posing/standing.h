@@ -34,7 +34,6 @@ struct Mountings {
     std::vector<std::string> warnings;
 };
 Mountings findMountings(const Actor& actor, const SensorTracks& tracks, const Headings& headings,
-                        const std::vector<SensorPair>& pairs, const Standing& standing,
-                        const StatedHeadings& stated);
+                        const std::vector<SensorPair>& pairs, const Standing& standing);
 
 }  // namespace noctule::posing
