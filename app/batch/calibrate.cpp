@@ -146,6 +146,11 @@ Option detectorOption() {
         .orElse("inflection");
 }
 
+Option byHandOption() {
+    return flag("by-hand",
+                "without plate and turntable: finds gyroscopes and accelerometers, as calibrate inertial");
+}
+
 Option actorOption() {
     return text("actor", "A.json", "the performer; the one in the take when not given");
 }
@@ -271,10 +276,12 @@ Verb calibrateSourcesVerb() {
 
 Verb calibrateAccelerometersVerb() {
     Verb verb = calibrationVerb("accelerometers", "find zeros and slopes from level positions, in any order",
-                                "L.noctule...", "level_001.noctule --out suit.json", {});
+                                "L.noctule...", "level_001.noctule --out suit.json", {byHandOption()});
     verb.run = [](const VerbContext& context) {
-        const auto solve = [](const CalibrateRequest& request, const Arguments&, const JobContext& job) {
-            return calibrateAccelerometers(request, job);
+        const auto solve = [](const CalibrateRequest& request, const Arguments& arguments,
+                              const JobContext& job) {
+            return arguments.given("by-hand") ? calibrateInertial(request, job)
+                                              : calibrateAccelerometers(request, job);
         };
         return run(context, {.verb = "calibrate accelerometers", .solve = solve});
     };
@@ -285,11 +292,14 @@ Verb calibrateGyroscopesVerb() {
     Verb verb = calibrationVerb(
         "gyroscopes", "find zeros and slopes from turns on a turntable, up and down for each axis",
         "S.noctule...", "spin_001.noctule --rpm 45 --out suit.json",
-        {number("rpm", "N", 1, 1000, "nominal speed of the table; as the take states it when not given")});
+        {number("rpm", "N", 1, 1000, "nominal speed of the table; as the take states it when not given"),
+         byHandOption()});
     verb.run = [](const VerbContext& context) {
         const auto solve = [](const CalibrateRequest& request, const Arguments& arguments,
                               const JobContext& job) {
-            return calibrateGyroscopes(request, arguments.number("rpm").value_or(0), job);
+            return arguments.given("by-hand")
+                       ? calibrateInertial(request, job)
+                       : calibrateGyroscopes(request, arguments.number("rpm").value_or(0), job);
         };
         return run(context, {.verb = "calibrate gyroscopes", .solve = solve});
     };

@@ -14,10 +14,10 @@ const std::vector<batch::Option>& optionTable() {
         armsOption(),
         trunkOption(),
         text("udp", "HOST:PORT", "listen there for datagrams, port 0 for any free one"),
-        text("ws", "HOST:PORT", "be a rosbridge server there, port 0 for any free one"),
+        text("rosbridge", "HOST:PORT", "be a rosbridge server there, port 0 for any free one"),
         number("rate", "HZ", 1, 1000, "states a second").orElse("200"),
-        number("latency", "MS", 0, 10'000, "until a command is heard").orElse("0"),
-        number("lag", "MS", 0, 10'000, "time constant of every joint").orElse("20"),
+        number("latency-ms", "MS", 0, 10'000, "until a command is heard").orElse("0"),
+        number("lag-ms", "MS", 0, 10'000, "time constant of every joint").orElse("20"),
         number("refuse-beyond", "RAD", 0, 100,
                "a command farther from where a joint is is refused; 0: none is")
             .orElse("0.5"),
@@ -35,13 +35,13 @@ Result<Options> parseOptions(const std::vector<std::string>& words) {
                      arguments->operands().empty() ? "no robot is given"
                                                    : "'" + arguments->operands()[0] + "' is no option",
                      std::string("Write for example: ") + kExample};
-    if (!arguments->given("udp") && !arguments->given("ws"))
+    if (!arguments->given("udp") && !arguments->given("rosbridge"))
         return Error{ErrorKind::kUsage, "the robot has no interface",
-                     "Give --udp HOST:PORT, --ws HOST:PORT or both"};
+                     "Give --udp HOST:PORT, --rosbridge HOST:PORT or both"};
     Options options{std::move(*arguments)};
     const batch::Arguments& given = options.arguments;
     const std::pair<const char*, std::optional<virtual_suit::Address>*> addresses[] = {
-        {"udp", &options.udp}, {"ws", &options.ws}, {"control", &options.control}};
+        {"udp", &options.udp}, {"rosbridge", &options.rosbridge}, {"control", &options.control}};
     for (const auto& [name, into] : addresses) {
         if (!given.given(name))
             continue;
@@ -50,15 +50,15 @@ Result<Options> parseOptions(const std::vector<std::string>& words) {
             return address.error();
         *into = *address;
     }
-    options.body.latency_s = *given.number("latency") / 1000;
-    options.body.lag_s = *given.number("lag") / 1000;
+    options.body.latency_s = *given.number("latency-ms") / 1000;
+    options.body.lag_s = *given.number("lag-ms") / 1000;
     options.body.refuse_beyond = *given.number("refuse-beyond");
     return options;
 }
 
 std::string helpText() {
     return "noctule-virtual-robot: a robot without hardware, for studios that have none at hand.\n\n"
-           "usage: noctule-virtual-robot --robot R.urdf --udp HOST:PORT | --ws HOST:PORT [OPTIONS]\n\n"
+           "usage: noctule-virtual-robot --robot R.urdf --udp HOST:PORT | --rosbridge HOST:PORT [OPTIONS]\n\n"
            "options:\n" +
            batch::optionList(optionTable()) +
            "\nIt prints the addresses that `noctule --batch drive --to` takes, then works until Ctrl-C. The\n"

@@ -11,7 +11,7 @@ namespace noctule::virtual_robot {
 
 struct Options {
     batch::Arguments arguments;
-    std::optional<virtual_suit::Address> udp{}, ws{}, control{};
+    std::optional<virtual_suit::Address> udp{}, rosbridge{}, control{};
     BodyOptions body{};
 };
 

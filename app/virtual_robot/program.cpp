@@ -46,8 +46,8 @@ public:
                 return port.error();
             add(std::move(*port));
         }
-        if (options_.ws) {
-            auto port = RosbridgePort::open(*options_.ws, body_, arm_names_);
+        if (options_.rosbridge) {
+            auto port = RosbridgePort::open(*options_.rosbridge, body_, arm_names_);
             if (!port)
                 return port.error();
             add(std::move(*port));

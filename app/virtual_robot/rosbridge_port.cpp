@@ -30,7 +30,7 @@ Result<std::unique_ptr<RosbridgePort>> RosbridgePort::open(const virtual_suit::A
         return Error{ErrorKind::kDevice,
                      virtual_suit::toText(address) +
                          ": cannot be listened on: " + port->server_.errorString().toStdString(),
-                     "Give --ws another port (0: any free one)"};
+                     "Give --rosbridge another port (0: any free one)"};
     port->where_ = {address.host, port->server_.serverPort()};
     return port;
 }

@@ -7,7 +7,7 @@
 namespace noctule::robot_link {
 namespace {
 
-constexpr const char* kRemedy = "Give udp://HOST:PORT or ws://HOST:PORT, such as ws://127.0.0.1:9090";
+constexpr const char* kRemedy = "Give udp://HOST:PORT or rosbridge://HOST:PORT, such as rosbridge://127.0.0.1:9090";
 
 using Made = Result<std::unique_ptr<RobotInterface>>;
 
@@ -17,7 +17,9 @@ Made makeUdp(const QUrl& url, const std::string& address, const LinkOptions& opt
 }
 
 Made makeRosbridge(const QUrl& url, const std::string& address, const LinkOptions& options) {
-    return std::unique_ptr<RobotInterface>(new RosbridgeInterface(address, url, options));
+    QUrl socket(url);
+    socket.setScheme("ws");
+    return std::unique_ptr<RobotInterface>(new RosbridgeInterface(address, socket, options));
 }
 
 /// The registry of interfaces.
@@ -25,7 +27,7 @@ struct InterfaceKind {
     const char* scheme;
     Made (*make)(const QUrl&, const std::string&, const LinkOptions&);
 };
-constexpr InterfaceKind kKinds[] = {{"udp", makeUdp}, {"ws", makeRosbridge}};
+constexpr InterfaceKind kKinds[] = {{"udp", makeUdp}, {"rosbridge", makeRosbridge}, {"ws", makeRosbridge}};
 
 }  // namespace
 

@@ -122,7 +122,7 @@ def six_trajectories():
         for run, sensors in (("inertia", "AG"), ("whole suit", "AGD")):
             studio.process(take, sensors, run)
             report = FOLDER / f"{name}_{run.replace(' ', '_')}.html"
-            with virtual_robot(urdf, "--udp", "--arms", "right", "--latency", LATENCY_MS) as address:
+            with virtual_robot(urdf, "--udp", "--arms", "right", "--latency-ms", LATENCY_MS) as address:
                 said = drive(take, "--run", run, "--robot", urdf, "--arms", "right", "--to", address, "--hold",
                              "--accept-within", 180, "--report", report, "--overwrite")
             tracking = said["hands"][0]["tracking"]
@@ -145,7 +145,7 @@ def live_chain(seconds):
                             stdout=subprocess.PIPE, text=True)
     try:
         device = next(word for line in suit.stdout for word in line.split() if word.startswith("tcp://"))
-        with virtual_robot(urdf, "--ws") as address:
+        with virtual_robot(urdf, "--rosbridge") as address:
             said = drive("--device", device, "--calibration", calibration, "--robot", urdf, "--to", address, "--hold",
                          "--accept-within", 180, "--seconds", seconds)
     finally:

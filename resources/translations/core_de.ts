@@ -9428,8 +9428,8 @@
         <translation>Dem Roboter dieselben Gelenknamen in derselben Reihenfolge geben</translation>
     </message>
     <message>
-        <source>Give udp://HOST:PORT or ws://HOST:PORT, such as ws://127.0.0.1:9090</source>
-        <translation>udp://HOST:PORT oder ws://HOST:PORT angeben, etwa ws://127.0.0.1:9090</translation>
+        <source>Give udp://HOST:PORT or rosbridge://HOST:PORT, such as rosbridge://127.0.0.1:9090</source>
+        <translation>udp://HOST:PORT oder rosbridge://HOST:PORT angeben, etwa rosbridge://127.0.0.1:9090</translation>
     </message>
     <message>
         <source>Run rosbridge without compression, as JSON</source>

@@ -7537,8 +7537,8 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <translation>Aufzeichnung derselben Darbietung wählen</translation>
     </message>
     <message>
-        <source>Motions and positions (*.bvh *.fbx *.glb *.gltf *.vrm *.dae *.csv)</source>
-        <translation>Bewegungen und Positionen (*.bvh *.fbx *.glb *.gltf *.vrm *.dae *.csv)</translation>
+        <source>Motions and positions (%1)</source>
+        <translation>Bewegungen und Positionen (%1)</translation>
     </message>
     <message>
         <source>Attaching %1 to %2</source>
@@ -10069,7 +10069,7 @@ Drehen, beide Richtungen x3</translation>
     </message>
     <message>
         <source>The folder is %1. Open it by hand, or install a file manager.</source>
-        <translation>Der Ordner ist %1. Öffne ihn von Hand, oder installiere einen Dateiverwalter.</translation>
+        <translation>Der Ordner ist %1. Öffnen Sie ihn von Hand, oder installieren Sie einen Dateiverwalter.</translation>
     </message>
     <message>
         <source>%1 is not there</source>

@@ -40,6 +40,19 @@ protected:
     Folder folder_;
 };
 
+TEST_F(CalibrateByCommand, ByHandNeedsNeitherPlateNorTurntable) {
+    simulate("level");
+    const auto reasons = [&](const std::string& kind, std::vector<std::string> more) {
+        more.insert(more.begin(), {kind, takeOf("level"), "--out", file("c.json"), "--json"});
+        const Ran ran = calibrate(more);
+        EXPECT_EQ(ran.exit_code, 4) << "six sides are too few by hand";
+        return ran.json().at("reasons");
+    };
+    const auto inertial = reasons("inertial", {});
+    EXPECT_EQ(reasons("accelerometers", {"--by-hand"}), inertial);
+    EXPECT_EQ(reasons("gyroscopes", {"--by-hand"}), inertial);
+}
+
 TEST_F(CalibrateByCommand, RigsAndRestPoseMakeTheCalibrationOfAWornSuit) {
     simulate("jig", {"--digitizer-out", file("jig.csv"), "--calibration-out", file("lab.json")});
     simulate("level");

@@ -84,7 +84,7 @@ private:
 /// On a free port, 60 ms late.
 Beside virtualRobot(const std::string& urdf, const std::string& profile, const std::string& interface) {
     return {"noctule-virtual-robot",
-            {"--robot", urdf, "--profile", profile, interface, "127.0.0.1:0", "--latency", "60"},
+            {"--robot", urdf, "--profile", profile, interface, "127.0.0.1:0", "--latency-ms", "60"},
             "robot: "};
 }
 
@@ -165,7 +165,10 @@ protected:
 
 TEST_P(DriveVerb, ATakeDrivesTheRobot) {
     const Beside robot = virtualRobot(file("arm.urdf"), file("arm.json"), GetParam());
-    std::vector<std::string> all = words(robot.address);
+    std::string address = robot.address;
+    if (address.starts_with("ws:"))
+        address.replace(0, 2, "rosbridge");  // either scheme
+    std::vector<std::string> all = words(address);
     all.insert(all.end(), {"--hold", "--out", file("d.csv"), "--report", file("d.html"), "--json"});
     const Ran ran = batch(all);
     ASSERT_EQ(ran.exit_code, 0) << ran.err;
@@ -309,7 +312,7 @@ TEST_P(DriveVerb, ALiveSuitLeadsAndTheRobotHoldsWhenItIsLost) {
     EXPECT_GT(driven["commands_following"].get<int>(), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Interfaces, DriveVerb, ::testing::Values("--udp", "--ws"),
+INSTANTIATE_TEST_SUITE_P(Interfaces, DriveVerb, ::testing::Values("--udp", "--rosbridge"),
                          [](const auto& one) { return std::string(one.param).substr(2); });
 
 class DriveVerbAlone : public DriveVerb {};

@@ -266,7 +266,7 @@ Verb driveVerb() {
     verb.example = "noctule --batch drive wave.noctule --robot g1.urdf --to udp://127.0.0.1:41950 --hold";
     verb.options = {
         text("robot", "R.urdf", "the robot; a xacro file has to be expanded first").needed(),
-        text("to", "ADDRESS", "the robot's interface: udp://HOST:PORT, or ws://HOST:PORT of a rosbridge")
+        text("to", "ADDRESS", "the robot's interface: udp://HOST:PORT, or rosbridge://HOST:PORT (or ws://)")
             .needed(),
         text("device", "ADDRESS", "the suit: tcp://HOST:PORT, serial:///dev/ttyACM0 or replay:T.noctule"),
         text("calibration", "C.json", "of the suit"),

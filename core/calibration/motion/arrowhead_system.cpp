@@ -3,6 +3,8 @@
 
 #include <Eigen/Cholesky>
 
+#include "core/math/covariance_kernels.h"
+
 namespace noctule {
 namespace {
 
@@ -30,48 +32,51 @@ ArrowheadSystem::ArrowheadSystem(int nodes, int node_size, int border_size)
     }
 }
 
-/// J_a^T W J_b to where it belongs; of two nodes only the later one's rows are kept.
-void ArrowheadSystem::addPair(const ResidualBlock& residuals, const ColumnBlock& a, const ColumnBlock& b) {
-    const Matrix3d product = residuals.rows == 1
-                                 ? Matrix3d(a.J.row(0).transpose() * residuals.weight[0] * b.J.row(0))
-                                 : Matrix3d(a.J.transpose() * residuals.weight.asDiagonal() * b.J);
-    const auto put = [&](Eigen::MatrixXd& into, int row, int column) {
-        if (a.width == 3 && b.width == 3)
-            into.block<3, 3>(row, column) += product;
-        else
-            into.block(row, column, a.width, b.width) += product.topLeftCorner(a.width, b.width);
-    };
-    if (a.border) {
-        if (b.border)
-            put(corner_, a.first, b.first);
+/// J_a^T W J_b to where it belongs, unless that lies above the diagonal: nothing reads it there.
+void ArrowheadSystem::addPair(const ResidualBlock& residuals, const ColumnBlock& a,
+                              const Matrix3d& transposed, const ColumnBlock& b) {
+    Eigen::MatrixXd* into = &corner_;
+    int row = a.first, column = b.first;
+    if (!a.border) {
+        const int node_a = a.first / node_size_, node_b = b.border ? node_a : b.first / node_size_;
+        if (node_a < node_b)
+            return;
+        Node& node = nodes_[static_cast<size_t>(residuals.first_node + node_b)];
+        into = b.border               ? &node.border
+               : node_a == node_b     ? &node.own
+               : node_a == node_b + 1 ? &node.next
+                                      : &node.after_next;
+        row = a.first % node_size_;
+        column = b.border ? b.first : b.first % node_size_;
+    } else if (!b.border) {
         return;
     }
-    const int node_a = a.first / node_size_;
-    Node& node =
-        nodes_[static_cast<size_t>(residuals.first_node + (b.border ? node_a : b.first / node_size_))];
-    if (b.border) {
-        put(node.border, a.first % node_size_, b.first);
+    const bool is_symmetric = into == &corner_ || (!b.border && a.first / node_size_ == b.first / node_size_);
+    if (is_symmetric && row + a.width <= column)
         return;
+    const double* JtW_a = transposed.data();
+    double* target = into->data() + column * into->rows() + row;
+    for (int j = 0; j < b.width; ++j, target += into->rows()) {
+        double sum[3];
+        for (int i = 0; i < 3; ++i)
+            sum[i] = JtW_a[i] * b.J(0, j) + JtW_a[3 + i] * b.J(1, j) + JtW_a[6 + i] * b.J(2, j);
+        for (int i = 0; i < a.width; ++i)
+            target[i] += sum[i];
     }
-    const int apart = node_a - b.first / node_size_;
-    if (apart >= 0)
-        put(apart == 0   ? node.own
-            : apart == 1 ? node.next
-                         : node.after_next,
-            a.first % node_size_, b.first % node_size_);
 }
 
 void ArrowheadSystem::add(const ResidualBlock& residuals) {
-    const Vector3d weighted = residuals.weight.cwiseProduct(residuals.residual);
     for (const ColumnBlock& a : residuals.columns) {
-        const Vector3d gradient = a.J.transpose() * weighted;  // what stands below `rows` is zero
+        // What stands below `rows` is zero.
+        const Matrix3d weighted = a.J.transpose() * residuals.weight.asDiagonal();
+        const Vector3d gradient = weighted * residuals.residual;
         if (a.border)
             border_gradient_.segment(a.first, a.width) += gradient.head(a.width);
         else
             node_gradient_.col(residuals.first_node + a.first / node_size_)
                 .segment(a.first % node_size_, a.width) += gradient.head(a.width);
         for (const ColumnBlock& b : residuals.columns)
-            addPair(residuals, a, b);
+            addPair(residuals, a, weighted, b);
     }
 }
 
@@ -96,7 +101,7 @@ bool ArrowheadSystem::eliminate(int index) {
         node.own.triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(coupling);
         Node& other = nodes_[static_cast<size_t>(index + distance)];
         other.own.noalias() -= coupling * coupling.transpose();
-        other.border.noalias() -= coupling * node.border;
+        addProduct(other.border, -1, coupling, node.border);
         node_gradient_.col(index + distance).noalias() -= coupling * gradient;
     };
     later(1, node.next);
@@ -108,8 +113,8 @@ bool ArrowheadSystem::eliminate(int index) {
 
 void ArrowheadSystem::shrinkCorner() {
     if (waiting_rows_ == 0)
-        return;  // Eigen divides by the number of rows
-    corner_.selfadjointView<Eigen::Lower>().rankUpdate(waiting_.topRows(waiting_rows_).transpose(), -1);
+        return;
+    subtractOuterProduct(corner_, waiting_.topRows(waiting_rows_));
     waiting_rows_ = 0;
 }
 

@@ -49,10 +49,12 @@ public:
 
 private:
     struct Node {
-        Eigen::MatrixXd own, next, after_next;  ///< rows: this node, the next, the one after; columns: this
-        Eigen::MatrixXd border;                 ///< node size x border
+        // Rows: this node, the next, the one after; columns: this. Of own the lower triangle counts.
+        Eigen::MatrixXd own, next, after_next;
+        Eigen::MatrixXd border;  ///< node size x border
     };
-    void addPair(const ResidualBlock& residuals, const ColumnBlock& a, const ColumnBlock& b);
+    void addPair(const ResidualBlock& residuals, const ColumnBlock& a, const Matrix3d& weighted_a,
+                 const ColumnBlock& b);
     bool eliminate(int node);
     void shrinkCorner();
     void substituteBack();
@@ -60,7 +62,7 @@ private:
     int node_size_;
     std::vector<Node> nodes_;
     Eigen::MatrixXd node_gradient_, node_step_;  ///< node size x nodes
-    Eigen::MatrixXd corner_;                     ///< after solve() its Cholesky factor
+    Eigen::MatrixXd corner_;  ///< its lower triangle counts; after solve() its Cholesky factor
     /// Eliminated borders that the corner has yet to lose: it is far larger than the cache, and is gone
     /// through once for several nodes.
     Eigen::MatrixXd waiting_;

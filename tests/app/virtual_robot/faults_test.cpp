@@ -211,7 +211,7 @@ TEST_P(EveryInterface, HoldsThroughEveryFaultAndNeverJumps) {
     EXPECT_EQ(lines, report->commands + 1);
 }
 
-INSTANTIATE_TEST_SUITE_P(Robot, EveryInterface, ::testing::Values("--udp", "--ws"),
+INSTANTIATE_TEST_SUITE_P(Robot, EveryInterface, ::testing::Values("--udp", "--rosbridge"),
                          [](const auto& one) { return std::string(one.param).substr(2); });
 
 TEST(VirtualRobot, NoRobotIsSaid) {

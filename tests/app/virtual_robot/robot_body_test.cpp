@@ -133,12 +133,12 @@ TEST(RobotOptions, MistakesAreNamed) {
     using Words = std::vector<std::string>;
     for (const Words& words : {Words{}, Words{"--udp", "127.0.0.1:0"}, Words{"--robot", "r.urdf"},
                                Words{"--robot", "r.urdf", "--udp", "nowhere"}, Words{"r.urdf"},
-                               Words{"--robot", "r.urdf", "--ws", "127.0.0.1:0", "--lag", "x"}}) {
+                               Words{"--robot", "r.urdf", "--rosbridge", "127.0.0.1:0", "--lag-ms", "x"}}) {
         const auto options = parseOptions(words);
         ASSERT_FALSE(options);
         EXPECT_EQ(options.error().kind, ErrorKind::kUsage);
     }
-    EXPECT_TRUE(parseOptions({"--robot", "r.urdf", "--ws", "127.0.0.1:0"}));
+    EXPECT_TRUE(parseOptions({"--robot", "r.urdf", "--rosbridge", "127.0.0.1:0"}));
 }
 
 }  // namespace

@@ -182,7 +182,7 @@ protected:
 };
 
 TEST_F(RobotPageTest, ATakeLeadsTheRobotWhileTheKeyIsHeld) {
-    startRobot("--udp", {"--latency", "80"});
+    startRobot("--udp", {"--latency-ms", "80"});
     follow();
     page_->center().play();
     ASSERT_TRUE(waitFor([this] { return drive_->handPaths(0).tracking.has_value(); }));
@@ -203,7 +203,7 @@ TEST_F(RobotPageTest, ATakeLeadsTheRobotWhileTheKeyIsHeld) {
 }
 
 TEST_F(RobotPageTest, ADriveIsRecordedIntoTheTakeThatLeads) {
-    startRobot("--udp", {"--latency", "80"});
+    startRobot("--udp", {"--latency-ms", "80"});
     EXPECT_FALSE(page_->center().record().isEnabled()) << "nobody leads";
     follow();
     page_->center().play();
@@ -290,7 +290,7 @@ TEST_F(RobotPageTest, ANameThatNobodyKnowsIsSaidAndTheScreenGoesOn) {
 }
 
 TEST_F(RobotPageTest, StopEndsEverythingUntilItIsReleased) {
-    startRobot("--ws");
+    startRobot("--rosbridge");
     follow();
     QTest::mousePress(&page_->center().stopKey(), Qt::LeftButton);
     QTest::mouseRelease(&page_->center().stopKey(), Qt::LeftButton);
@@ -391,7 +391,7 @@ TEST_F(RobotPageTest, PicturesOfThePageInBothThemes) {
     const QString folder = qEnvironmentVariable("NOCTULE_TEST_PICTURES");
     if (folder.isEmpty())
         GTEST_SKIP() << "set NOCTULE_TEST_PICTURES to a folder";
-    startRobot("--udp", {"--latency", "80"});
+    startRobot("--udp", {"--latency-ms", "80"});
     follow();
     page_->center().play();
     ASSERT_TRUE(waitFor([this] { return drive_->moments().back().time_s > 6; }));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/review/reference_panel.h"
 
+#include <QDir>
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -26,11 +27,16 @@ struct Attached {
     std::vector<std::string> warnings;
 };
 
+/// Names of files that can be attached, as a file dialog has them.
+const QString& namePatterns() {
+    static const QString patterns = "*.bvh *.fbx *.glb *.gltf *.vrm *.dae *.csv";
+    return patterns;
+}
+
 QString motionFile(const QMimeData& dragged) {
     for (const QUrl& url : dragged.urls())
-        for (const char* extension : {".bvh", ".csv"})
-            if (url.toLocalFile().endsWith(extension, Qt::CaseInsensitive))
-                return url.toLocalFile();
+        if (QDir::match(namePatterns().split(' '), QFileInfo(url.toLocalFile()).fileName()))
+            return url.toLocalFile();
     return {};
 }
 
@@ -133,7 +139,7 @@ void ReferencePanel::chooseFile() {
         return;
     const QString path = QFileDialog::getOpenFileName(
         this, tr("Choose a recording of the same performance"), {},
-        tr("Motions and positions (*.bvh *.fbx *.glb *.gltf *.vrm *.dae *.csv)"));
+        tr("Motions and positions (%1)").arg(namePatterns()));
     if (!path.isEmpty())
         ask(path);
 }
