@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/body/text.h"
 #include "core/import/formats.h"
 #include "core/import/segment_names.h"
 #include "core/import/sensor_rows.h"
@@ -222,6 +223,21 @@ void takeSensors(const MvnxFile& file, const RowGrid& grid, const Quaterniond& t
         recording.notes.push_back("Not imported: " + unread.substr(0, 400));
 }
 
+/// Frames are placed by their counts; times that go another way are told of. Empty: they agree.
+std::string timesApart(const MvnxFile& file, const std::vector<int64_t>& counts, double rate_hz) {
+    constexpr double kApart_ms = 100;
+    for (size_t i = 1; i < counts.size(); ++i) {
+        const MvnxFrame &frame = file.frames[i], &before = file.frames[i - 1];
+        const double counted_ms = 1000 * double(counts[i] - counts[i - 1]) / rate_hz;
+        const double told_ms = frame.time_ms - before.time_ms;
+        if (frame.time_ms >= 0 && before.time_ms >= 0 && std::abs(told_ms - counted_ms) > kApart_ms)
+            return "From frame " + std::to_string(counts[i - 1]) + " to " + std::to_string(counts[i]) +
+                   " its time goes on by " + text::number(told_ms / 1000, 3) +
+                   " s; frames were placed by their numbers, " + text::number(counted_ms / 1000, 3) + " s";
+    }
+    return {};
+}
+
 Result<ImportedRecording> readMvnx(const std::vector<ImportFile>& files, const ImportChoice& choice,
                                    const JobContext& job) {
     const ImportFile& given = files.front();
@@ -252,6 +268,8 @@ Result<ImportedRecording> readMvnx(const std::vector<ImportFile>& files, const I
     takeMvnxReference(*file, *grid, worldFromFile(world), recording);
     for (const std::string& finding : grid->findings(given.path))
         recording.warnings.push_back(finding);
+    if (const std::string apart = timesApart(*file, counts, rate_hz); !apart.empty())
+        recording.warnings.push_back(given.path + ": " + apart);
     if (file->cut)
         recording.warnings.push_back(given.path + ": ends in the middle; the whole frames before were taken");
     return recording;

@@ -17,8 +17,8 @@ struct MvnxJoint {
 
 /// Children of one frame that are read, each as many numbers as the file's counts ask for, or none.
 struct MvnxFrame {
-    std::string type;  ///< identity, tpose, npose, normal
-    double index = -1;
+    std::string type;                                       ///< identity, tpose, npose, normal
+    double index = -1, time_ms = -1;                        ///< -1: not stated
     std::vector<double> orientation, position;              ///< 4 and 3 per segment; w x y z, metres
     std::vector<double> sensor_orientation;                 ///< 4 per sensor
     std::vector<double> free_acceleration, magnetic_field;  ///< 3 per sensor, of the world and of the sensor

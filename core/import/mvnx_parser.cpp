@@ -64,6 +64,7 @@ public:
             frame_ = {};
             frame_.type = attributeOf(attributes, "type");
             frame_.index = numberOf(attributeOf(attributes, "index"), -1);
+            frame_.time_ms = numberOf(attributeOf(attributes, "time"), -1);
         }
         wants_text_ = (in_frame_ && target(name)) || name == "connector1" || name == "connector2";
         if (file_.segments.size() > kMostSegments || file_.sensors.size() > kMostSegments ||

@@ -98,6 +98,23 @@ void convertRates(ImportedSensor& sensor, std::vector<std::string>& warnings) {
     }
 }
 
+/// The Earth's field is 22 to 67 microtesla. Numbers near 1 may be gauss or of no unit, and are left as they
+/// are.
+void convertFields(ImportedSensor& sensor, std::vector<std::string>& warnings) {
+    constexpr double kWeakest_ut = 15, kStrongest_ut = 150;
+    const double median = medianNorm(sensor.samples.mag);
+    if (!(median > 0)) {
+        sensor.samples.mag.clear();
+        warnings.push_back(sensor.id + ": the magnetometer reads zero throughout and is left out");
+        return;
+    }
+    for (const auto& [name, microtesla] : {std::pair{"tesla", 1e6}, std::pair{"nanotesla", 1e-3}})
+        if (median * microtesla > kWeakest_ut && median * microtesla < kStrongest_ut) {
+            scale(sensor.samples.mag, microtesla);
+            warnings.push_back(sensor.id + ": fields were read as " + name + " and converted to microtesla");
+        }
+}
+
 /// A tenth of a second.
 struct Block {
     Vector3d up = Vector3d::Zero();
@@ -173,11 +190,8 @@ void convertToSi(ImportedRecording& recording) {
     for (ImportedSensor& sensor : recording.sensors) {
         convertAccelerations(sensor, recording.warnings);
         convertRates(sensor, recording.warnings);
-        if (!sensor.samples.mag.empty() && !(medianNorm(sensor.samples.mag) > 0)) {
-            sensor.samples.mag.clear();
-            recording.warnings.push_back(sensor.id +
-                                         ": the magnetometer reads zero throughout and is left out");
-        }
+        if (!sensor.samples.mag.empty())
+            convertFields(sensor, recording.warnings);
     }
 }
 

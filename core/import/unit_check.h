@@ -15,13 +15,13 @@ enum class RateReading { kUnknown, kRadians, kDegrees, kMirrored, kConvertedTwic
 /// taken for deg/s. Accelerations in m/s^2.
 RateReading rateReading(const ImuSamples& samples);
 
-/// Accelerations whose median is near 1 are g, near 981 cm/s^2; rates by rateReading. Converts to SI and
-/// adds one warning for each sensor and quantity; a field of zeros and readings that fit no unit are warned
-/// of.
+/// Accelerations whose median is near 1 are g, near 981 cm/s^2; rates by rateReading; fields as strong as the
+/// Earth's in tesla or nanotesla become microtesla. Converts and adds one warning for each sensor and
+/// quantity; a field of zeros and readings that fit no unit are warned of.
 void convertToSi(ImportedRecording& recording);
 
 /// What looks odd in readings of SI, as warnings: missing and impossible readings (which become missing),
-/// rates that stand still, sensors of different lengths, a field that is far from the Earth's.
+/// readings that stand still, sensors of different lengths.
 void checkReadings(ImportedRecording& recording);
 /// Whether any sensor has one rate, acceleration, field or attitude, or the file its own result.
 bool holdsReadings(const ImportedRecording& recording);

@@ -2340,6 +2340,10 @@
         <translation>%1: endet mittendrin; die ganzen Bilder davor wurden übernommen</translation>
     </message>
     <message>
+        <source>%1: fields were read as %2 and converted to microtesla</source>
+        <translation>%1: Felder wurden als %2 gelesen und in Mikrotesla umgerechnet</translation>
+    </message>
+    <message>
         <source>%1: gravity turns against the gyroscope; check the gyroscope's axes</source>
         <translation>%1: die Schwerkraft dreht sich gegen das Gyroskop; die Achsen des Gyroskops prüfen</translation>
     </message>
@@ -2570,6 +2574,10 @@
     <message>
         <source>Export the recording as text in MT Manager again, with inertial data and the packet counter</source>
         <translation>Die Aufnahme noch einmal als Text in MT Manager exportieren, mit Inertialdaten und Paketzähler</translation>
+    </message>
+    <message>
+        <source>From frame %1 to %2 its time goes on by %3 s; frames were placed by their numbers, %4 s</source>
+        <translation>Von Bild %1 zu %2 läuft die Zeit um %3 s weiter; die Bilder wurden nach ihren Nummern gelegt, %4 s</translation>
     </message>
     <message>
         <source>Give a table with comma, semicolon, tab or blank between its cells</source>

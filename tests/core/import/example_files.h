@@ -3,6 +3,8 @@
 // here was not written by what is tested.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -12,7 +14,16 @@
 #include <string>
 #include <vector>
 
+#include "core/import/import_format.h"
+
 namespace noctule::test {
+
+inline Result<ImportedRecording> readAs(const std::vector<ImportFile>& files,
+                                        const ImportChoice& choice = {}) {
+    const ImportFormat* format = importFormatOf(files);
+    EXPECT_TRUE(format);
+    return format ? readImport(*format, files, choice, {}) : Error{};
+}
 
 inline bool mentions(const std::vector<std::string>& sentences, const std::string& word) {
     return std::any_of(sentences.begin(), sentences.end(),

@@ -168,6 +168,19 @@ TEST(UnitCheck, DegreesAndGAreConvertedAndSaid) {
     }
 }
 
+TEST(UnitCheck, FieldsInTeslaAreConvertedAndSaid) {
+    for (const double unit : {1.0, 1e-6, 1e3, 0.02}) {
+        MatArrays arrays = turningSensor(1, 1);
+        arrays["imu_mag"] *= unit;
+        auto recording = recordingFromMat(arrays, "field");
+        ASSERT_TRUE(recording);
+        convertToSi(*recording);
+        const bool is_plain = unit == 1 || unit == 0.02;  // 0.4 may be gauss
+        EXPECT_EQ(recording->warnings.size(), is_plain ? 0u : 1u) << unit;
+        EXPECT_NEAR(recording->sensors[0].samples.mag[0].z(), is_plain ? 20 * unit : 20, 1e-9) << unit;
+    }
+}
+
 TEST(UnitCheck, RadiansStatedAsDegreesAreTakenBackAndSaid) {
     auto right = recordingFromMat(turningSensor(1, 1), "right");
     auto twice = recordingFromMat(turningSensor(180 / std::numbers::pi, 1), "twice");
