@@ -309,10 +309,21 @@ Result<Outcome> runEvaluate(const VerbContext& context) {
         if (context.cancel.cancelled())
             return JobContext::cancelledError();
         context.console.progress(0.9, "Writing the report");
+        if (subjects->size() > 1)
+            data->take.performer = subjects->front().name;
         if (Status written = writeFileAtomically(report_path, htmlReport(*data), overwrite); !written)
             return written.error();
         outcome.json["report"] = report_path;
         outcome.text += "report                " + report_path + "\n";
+        // The others have pages of their own beside it.
+        for (size_t i = 1; i < reports.size(); ++i) {
+            const std::string path = pathOfSubject(report_path, reports[i].subject);
+            reports[i].data.take.performer = reports[i].subject;
+            if (Status written = writeFileAtomically(path, htmlReport(reports[i].data), overwrite); !written)
+                return written.error();
+            outcome.json["reports_of_others"].push_back(path);
+            outcome.text += "report of " + reports[i].subject + ", " + path + "\n";
+        }
     }
     if (!csv_path.empty()) {
         if (reports.empty())

@@ -270,8 +270,16 @@ Result<Outcome> writeOneFile(const VerbContext& context, const std::vector<Expor
     if (requests.front().worn)
         outcome.json["bones"] = requests.front().worn->bones.node_of_joint;
     outcome.text = summary->files.front() + ": " + std::to_string(requests.size()) +
-                   (together ? " performers, " : " stacks, ") + std::to_string(summary->frames) +
-                   " frames.\n";
+                   (together ? " performers, " : " stacks, ") + std::to_string(summary->frames) + " frames";
+    if (together && requests.front().from_s && requests.front().to_s) {
+        outcome.json["from_s"] = *requests.front().from_s;
+        outcome.json["to_s"] = *requests.front().to_s;
+        char span[96];
+        std::snprintf(span, sizeof span, ", seconds %.3f to %.3f of the take, where all of them have poses",
+                      *requests.front().from_s, *requests.front().to_s);
+        outcome.text += span;
+    }
+    outcome.text += ".\n";
     return outcome;
 }
 

@@ -66,6 +66,10 @@ double JointFilter::now_s(size_t body) const {
     return alignment_.clocks[body].common_s(bodies_[body].filter->seconds());
 }
 
+bool JointFilter::isOver(size_t body) const {
+    return bodies_[body].ended && !bodies_[body].filter->isDue(bodies_[body].given_s);
+}
+
 double JointFilter::reached_s() const {
     double least_s = now_s(0);
     for (size_t i = 1; i < bodies_.size(); ++i)
@@ -126,12 +130,14 @@ void JointFilter::advance(bool ended) {
         return;
     if (!begun_)
         begin();
+    for (Body& body : bodies_)
+        body.ended |= ended;
     while (true) {
         size_t first = bodies_.size();
         double first_s = 0;
         for (size_t i = 0; i < bodies_.size(); ++i) {
-            if (ended && !bodies_[i].filter->isDue(bodies_[i].given_s))
-                continue;  // it has come to its end
+            if (isOver(i))
+                continue;
             const double next_s =
                 alignment_.clocks[i].common_s(filter(i).seconds() + filter(i).stepSeconds());
             if (first == bodies_.size() || next_s < first_s)
@@ -142,7 +148,7 @@ void JointFilter::advance(bool ended) {
         stepBody(first);
         double until_s = now_s(first);
         for (size_t i = 0; i < bodies_.size(); ++i)
-            until_s = std::min(until_s, now_s(i));
+            until_s = isOver(i) ? until_s : std::min(until_s, now_s(i));
         useDistances(until_s + 0.5 * filter(first).stepSeconds());
     }
     if (!ended)
@@ -207,11 +213,12 @@ void JointFilter::useDistances(double until_s) {
         if (arrives_s > until_s)
             break;
         JointDecision decision{order_[next_], RangeFate::kNotTried, 1, 0};
-        const auto too_early = [&](size_t member, double time_s) {
-            return member != room() && time_s < bodies_[member].rest.end_s;
+        const auto is_away = [&](size_t member, double time_s) {
+            return member != room() &&
+                   (time_s < bodies_[member].rest.end_s ||
+                    (isOver(member) && time_s > filter(member).seconds() + filter(member).stepSeconds()));
         };
-        if (!isJoined(distance) || too_early(from, distance.emission_s) ||
-            too_early(to, distance.arrival_s)) {
+        if (!isJoined(distance) || is_away(from, distance.emission_s) || is_away(to, distance.arrival_s)) {
             decisions_.push_back(decision);
             continue;
         }

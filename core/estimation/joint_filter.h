@@ -56,6 +56,8 @@ public:
     ManifoldFilter& filter(size_t body) { return *bodies_[body].filter; }
     const ManifoldFilter& filter(size_t body) const { return *bodies_[body].filter; }
     void promise(size_t body, double time_s) { bodies_[body].given_s = time_s; }
+    /// Nothing more comes of it: the others go on without it.
+    void end(size_t body) { bodies_[body].ended = true; }
     std::vector<TimedPose> takePoses(size_t body) { return std::exchange(bodies_[body].poses, {}); }
 
     /// Goes as far as all bodies' data allow. Nothing happens before each has started. `ended`: what has been
@@ -93,6 +95,7 @@ private:
         RestReadings rest{};
         double given_s = 0;
         bool joined = false;  ///< ranges concern it
+        bool ended = false;   ///< all of it has been given
         bool shown = true;    ///< the pose of the present step has come out
         std::vector<TimedPose> poses{};
     };
@@ -105,6 +108,7 @@ private:
 
     size_t room() const { return bodies_.size(); }
     double now_s(size_t body) const;  ///< common time
+    bool isOver(size_t body) const;   ///< its last step was made
     void layOut();
     void begin();
     std::vector<RestingMember> restingMembers() const;

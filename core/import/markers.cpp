@@ -44,8 +44,8 @@ Result<std::vector<JointMarkers>> jointsAsNamed(const MarkerRecording& markers, 
         return joints;
     return Error{ErrorKind::kUsage,
                  where + ": no marker carries a joint's name; they are " + namesOf(markers),
-                 "Say which markers surround which joint: --markers MAP.json with {\"Hips\": [\"LASI\", "
-                 "\"RASI\"], ...}"};
+                 "Attach it by noctule --batch attach, and say which markers surround which joint: --markers "
+                 "MAP.json with {\"Hips\": [\"LASI\", \"RASI\"], ...}"};
 }
 
 Result<std::vector<JointMarkers>> jointsAsMapped(const MarkerRecording& markers, const nlohmann::json& map,

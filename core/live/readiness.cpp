@@ -134,6 +134,8 @@ void ReadinessJudge::judgeFit(const ReadinessFacts& facts, Readiness& readiness)
     readiness.lack = facts.lack;
     if (!facts.lack.isNone())
         addProblem(readiness, ProblemKind::kNotCalibrated, false);
+    else if (facts.is_room)
+        return;
     else if (facts.fit == SuitFit::kMoved)
         addProblem(readiness, ProblemKind::kMoved, false);
     else if (facts.fit == SuitFit::kUnchecked)
@@ -178,7 +180,7 @@ void ReadinessJudge::judgeBoard(const ReadinessFacts& facts, int board, Readines
     const int64_t clipped = std::max(health.clipped_samples, health.clipped_readings);
     if (clipped > limits_.clipped_per_s)
         return addProblem(readiness, ProblemKind::kBoardClips, false, static_cast<double>(clipped), board);
-    if (secondsSince(board_heard_at_[index]) > limits_.board_unheard_s)
+    if (!facts.is_room && secondsSince(board_heard_at_[index]) > limits_.board_unheard_s)
         return addProblem(readiness, ProblemKind::kBoardDeaf, false, 0, board);
     state.state = BoardReadiness::State::kFine;
 }
@@ -249,12 +251,15 @@ Readiness ReadinessJudge::judge(const ReadinessFacts& facts) {
     for (int board = 0; board < board_count_; ++board)
         judgeBoard(facts, board, readiness);
     judgeSources(*facts.health, readiness);
+    if (facts.is_room)
+        std::erase_if(readiness.problems,
+                      [](const ReadinessProblem& problem) { return problem.source >= 0; });
     judgeSupplies(facts, readiness);
     joinAlike(readiness, &ReadinessProblem::board, board_count_);
     joinAlike(readiness, &ReadinessProblem::source, source_count_);
     forgetConsequences(readiness, source_count_);
     judgeFit(facts, readiness);
-    if (!facts.is_assigned)
+    if (!facts.is_assigned && !facts.is_room)
         addProblem(readiness, ProblemKind::kNotAssigned, false);
     bool hindered = false;
     for (ReadinessProblem& problem : readiness.problems) {

@@ -78,6 +78,7 @@ enum class SuitFit {
 struct ReadinessFacts {
     const HealthReport* health = nullptr;  ///< null: nothing has come yet
     bool link_is_lost = false, sound_stalls = false, is_assigned = true;
+    bool is_room = false;                ///< anchors: they need not hear each other, and nobody wears them
     std::vector<bool> board_is_plugged;  ///< as the box says; empty: it does not
     std::optional<double> storage_left_s;
     CalibrationLack lack{};  ///< of the calibration in force

@@ -8,7 +8,8 @@ namespace noctule {
 namespace {
 
 constexpr size_t kEnough = 20'000;  ///< ranges that a suit heard of others, from the take's beginning
-/// A clock's correction shows beyond it; below it stand wrong offsets of sources (25 samples are 57 mm).
+/// While clocks are not known: their correction shows beyond it; below it stand wrong offsets of sources (25
+/// samples are 57 mm).
 constexpr double kByOtherClocks_m = 0.1;
 
 /// The detector of the take's ranges; the first one stands for all.
@@ -61,16 +62,17 @@ SpeedOfSound soundOf(const Take& take, const Calibration& calibration) {
     return SpeedOfSound(calibration.sound, std::span(&mean, 1));
 }
 
-Result<CrossClocks> CrossClocks::of(const Take& take) {
+Result<CrossClocks> CrossClocks::of(const Take& take, const std::map<int, SuitClock>& lines) {
     CrossClocks clocks;
     const std::string detector = detectorOf(take);
-    std::map<int, double> c_m_per_s;
     for (const int id : take.suitIds()) {
         const auto suit = take.suit(id);
         if (!suit)
             return suit.error();
         const Calibration calibration = calibrationOf(take, id);
-        SuitDelays delays{sampleRateOf(take, id), take.suitClock(id)};
+        const auto line = lines.find(id);
+        SuitDelays delays{sampleRateOf(take, id), soundOf(take, calibration).at(0), take.suitClock(id),
+                          line == lines.end() ? take.suitClock(id) : line->second};
         for (const Source& source : suit->sources) {
             const SourceCalibration* of = calibration.findSource(source.id);
             const auto offset = of ? of->offsets_s.find(detector) : decltype(of->offsets_s.end()){};
@@ -80,39 +82,51 @@ Result<CrossClocks> CrossClocks::of(const Take& take) {
             const BoardCalibration* of = calibration.findBoard(board.id);
             delays.board_s.push_back(of ? of->mic_delay_s : 0);
         }
-        c_m_per_s[id] = soundOf(take, calibration).at(0);
         clocks.suits_[id] = std::move(delays);
     }
-    std::map<std::pair<int, int>, std::vector<double>> beyond_m;
+    struct Beyond {
+        std::vector<double> guess_m, line_m;  ///< of each range, what its distance is beyond its samples'
+    };
+    std::map<std::pair<int, int>, Beyond> beyond;
     for (const int to : take.suitIds()) {
         size_t seen = 0;
         const Status walked = take.forEachCrossRange(kPrimaryRun, to, [&](const Take::CrossRange& cross) {
-            beyond_m[{cross.from_suit, to}].push_back(
-                cross.range.distance_m - clocks.measured_m(clocks.suits_[cross.from_suit], clocks.suits_[to],
-                                                           cross.range, c_m_per_s[cross.from_suit]));
+            const SuitDelays &sent = clocks.suits_[cross.from_suit], &heard = clocks.suits_[to];
+            const double emission_s = static_cast<double>(cross.range.pulse_sample) / sent.rate_hz;
+            const double arrival_s = cross.range.arrival_sample / heard.rate_hz;
+            const double corrected_s =
+                (heard.line.takeTime_s(arrival_s) - heard.guess.takeTime_s(arrival_s)) -
+                (sent.line.takeTime_s(emission_s) - sent.guess.takeTime_s(emission_s));
+            Beyond& of = beyond[{cross.from_suit, to}];
+            of.guess_m.push_back(cross.range.distance_m -
+                                 sent.c_m_per_s * flight_s(sent, heard, cross.range));
+            of.line_m.push_back(of.guess_m.back() - sent.c_m_per_s * corrected_s);
             return ++seen < kEnough;
         });
         if (!walked)
             return walked.error();
     }
-    for (const auto& [pair, errors] : beyond_m)
-        clocks.by_other_clocks_[pair] = std::abs(median(errors)) > kByOtherClocks_m;
+    const auto knows = [&](int suit) { return suit == kTakeTimeSuit || lines.contains(suit); };
+    for (auto& [pair, of] : beyond) {
+        const double guess_m = std::abs(median(std::move(of.guess_m)));
+        clocks.by_other_clocks_[pair] = knows(pair.first) && knows(pair.second)
+                                            ? std::abs(median(std::move(of.line_m))) < guess_m
+                                            : guess_m > kByOtherClocks_m;
+    }
     return clocks;
 }
 
-double CrossClocks::measured_m(const SuitDelays& from, const SuitDelays& to, const RangeMeasurement& range,
-                               double c_m_per_s) const {
-    const double flight_s = to.guess.takeTime_s(range.arrival_sample / to.rate_hz) -
-                            from.guess.takeTime_s(static_cast<double>(range.pulse_sample) / from.rate_hz);
-    return c_m_per_s * (flight_s - from.source_s[static_cast<size_t>(range.source)] -
-                        to.board_s[static_cast<size_t>(range.board)]);
+double CrossClocks::flight_s(const SuitDelays& from, const SuitDelays& to, const RangeMeasurement& range) {
+    return to.guess.takeTime_s(range.arrival_sample / to.rate_hz) -
+           from.guess.takeTime_s(static_cast<double>(range.pulse_sample) / from.rate_hz) -
+           from.source_s[static_cast<size_t>(range.source)] - to.board_s[static_cast<size_t>(range.board)];
 }
 
 double CrossClocks::byGuess_m(int from_suit, int to_suit, const RangeMeasurement& range,
                               double c_m_per_s) const {
     const auto other = by_other_clocks_.find({from_suit, to_suit});
     return other != by_other_clocks_.end() && other->second
-               ? measured_m(suits_.at(from_suit), suits_.at(to_suit), range, c_m_per_s)
+               ? c_m_per_s * flight_s(suits_.at(from_suit), suits_.at(to_suit), range)
                : range.distance_m;
 }
 

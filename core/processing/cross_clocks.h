@@ -12,6 +12,8 @@
 
 namespace noctule {
 
+inline constexpr int kTakeTimeSuit = 1;  ///< its clock is take time
+
 /// Of a suit's samples; that of the take where the suit names none.
 double sampleRateOf(const Take& take, int suit);
 
@@ -20,21 +22,25 @@ SpeedOfSound soundOf(const Take& take, const Calibration& calibration);
 
 class CrossClocks {
 public:
-    static Result<CrossClocks> of(const Take& take);
+    /// `lines`: clocks as far as they are known better than by the guess.
+    static Result<CrossClocks> of(const Take& take, const std::map<int, SuitClock>& lines = {});
 
     /// The range's distance by the first guess of both clocks.
     double byGuess_m(int from_suit, int to_suit, const RangeMeasurement& range, double c_m_per_s) const;
+    /// Flight of the sound by that guess, from the samples of emission and arrival, whatever distance is
+    /// stated.
+    double flight_s(int from_suit, int to_suit, const RangeMeasurement& range) const {
+        return flight_s(suits_.at(from_suit), suits_.at(to_suit), range);
+    }
 
 private:
     struct SuitDelays {
-        double rate_hz = 0;
-        SuitClock guess{};
+        double rate_hz = 0, c_m_per_s = 0;
+        SuitClock guess{}, line{};
         std::vector<double> source_s{}, board_s{};  ///< offset of a source, delay of a microphone
     };
 
-    /// From the samples of emission and arrival, whatever distance is stated.
-    double measured_m(const SuitDelays& from, const SuitDelays& to, const RangeMeasurement& range,
-                      double c_m_per_s) const;
+    static double flight_s(const SuitDelays& from, const SuitDelays& to, const RangeMeasurement& range);
 
     std::map<int, SuitDelays> suits_;
     std::map<std::pair<int, int>, bool> by_other_clocks_;  ///< from, to

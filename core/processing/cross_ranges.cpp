@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <functional>
+#include <set>
 
 #include "core/processing/cross_clocks.h"
 
@@ -85,7 +87,8 @@ public:
         addClocks();
         if (Status read = readDistances(); !read)
             return read.error();
-        leaveOutSilentRoom();
+        if (Status heard = leaveOutTheUnheard(); !heard)
+            return heard.error();
         if (!joining_.joins() && take_.level() == TakeLevel::kSignal)
             return giveUp(
                 "no distances between its suits are known, since their clocks cannot be found from their "
@@ -250,24 +253,54 @@ private:
                                                                       : -1;
     }
 
-    /// Anchors that nobody hears and that hear nobody join nothing.
-    void leaveOutSilentRoom() {
+    bool holds(const std::function<bool(const JointDistance&)>& wanted) const {
+        return std::ranges::any_of(joining_.distances, wanted);
+    }
+
+    /// Anchors that nobody hears and that hear nobody join nothing; nor do people who do not hear each other.
+    /// Fails where that was asked for; otherwise it is said, unless nothing at all is joined.
+    Status leaveOutTheUnheard() {
+        if (!joining_.joins())
+            return Done{};
         const auto room = static_cast<int>(subjects_.size());
-        if (!joining_.room || std::ranges::any_of(joining_.distances, [room](const JointDistance& one) {
-                return one.from == room || one.to == room;
-            }))
-            return;
-        joining_.room.reset();
-        joining_.guesses.pop_back();
-        joining_.clocks.back() = {};
-        joining_.clock_known.back() = false;
+        const bool room_is_heard =
+            holds([room](const JointDistance& one) { return one.from == room || one.to == room; });
+        const bool people_are_heard =
+            holds([room](const JointDistance& one) { return one.from != room && one.to != room; });
+        if (joining_.room && !room_is_heard) {
+            if (request_.room == Wanted::kOn)
+                return unheard("no distances to its room", "--room off");
+            if (people_are_heard)
+                warnings_.push_back(
+                    "Nobody hears the anchors of the room, and they hear nobody: where people are in the "
+                    "room "
+                    "is not known. Check that the room's box sounded and has a calibration.");
+            joining_.room.reset();
+            joining_.guesses.pop_back();
+            joining_.clocks.back() = {};
+            joining_.clock_known.back() = false;
+        }
+        if (joining_.between && !people_are_heard) {
+            if (request_.between == Wanted::kOn)
+                return unheard("no distances between its subjects", "--between off");
+            if (room_is_heard)
+                warnings_.push_back(
+                    "The performers do not hear each other: where they stand to each other comes from the "
+                    "room alone.");
+            joining_.between = false;
+        }
+        return Done{};
+    }
+    Error unheard(const std::string& what, const std::string& option) const {
+        return {ErrorKind::kUnusable, take_.path() + ": the take holds " + what,
+                "Check that they heard each other, or process with " + option};
     }
 
     const Take& data() const { return joining_.measured ? *joining_.measured : take_; }
 
     Status readDistances() {
         const int room = static_cast<int>(subjects_.size());
-        auto clocks = CrossClocks::of(data());
+        auto clocks = CrossClocks::of(data(), clocks_.lines);
         if (!clocks)
             return clocks.error();
         made_by_ = std::move(*clocks);
@@ -339,6 +372,23 @@ private:
 };
 
 }  // namespace
+
+size_t Joining::anchorsHeard() const {
+    if (!room)
+        return 0;
+    const auto member = static_cast<int>(guesses.size()) - 1;
+    std::set<std::pair<bool, int>> heard;  ///< a source without a housing, else a board
+    for (const JointDistance& one : distances) {
+        if (one.to == member)
+            heard.emplace(false, one.board);
+        if (one.from != member)
+            continue;
+        const std::string& board = room->suit.sources[static_cast<size_t>(one.source)].board;
+        const int housing = board.empty() ? -1 : room->suit.findBoard(board);
+        heard.emplace(housing < 0, housing < 0 ? one.source : housing);
+    }
+    return heard.size();
+}
 
 Result<Joining> joinSubjects(Take& take, const ProcessRequest& request, std::vector<Ingredients>& subjects,
                              TakeClocks& clocks, const std::string& folder,

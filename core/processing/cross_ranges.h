@@ -6,12 +6,11 @@
 #include <vector>
 
 #include "core/estimation/joint_filter.h"
+#include "core/processing/cross_clocks.h"
 #include "core/processing/measure_sound.h"
 #include "core/processing/take_clocks.h"
 
 namespace noctule {
-
-inline constexpr int kTakeTimeSuit = 1;  ///< its clock is take time
 
 /// The anchors of a take's room.
 struct RoomOfTake {
@@ -34,6 +33,8 @@ struct Joining {
     std::optional<Take> measured;          ///< of a take of sound: its readings and ranges
 
     bool joins() const { return !distances.empty(); }
+    /// Places in the room that sound comes from or is heard at. One alone does not hold the world.
+    size_t anchorsHeard() const;
     /// Suit of a member.
     int suitOf(size_t member, const std::vector<Ingredients>& subjects) const {
         return member < subjects.size() ? subjects[member].subject.suit() : room->subject.suit();

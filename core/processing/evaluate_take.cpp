@@ -113,7 +113,7 @@ Result<Reference> chooseReference(const Take& take, const EvaluateRequest& reque
 }
 
 /// Constant differences that the comparison cannot count are said, with the joints by name.
-void warnOfMatchedSegments(const Comparison& comparison, ReportData& data) {
+void warnOfMatchedSegments(const Comparison& comparison, const Skeleton& skeleton, ReportData& data) {
     std::string joints;
     size_t count = 0;
     for (const MatchedJoint& joint : comparison.matched)
@@ -130,7 +130,11 @@ void warnOfMatchedSegments(const Comparison& comparison, ReportData& data) {
             joints + ".");
     const size_t moving = static_cast<size_t>(
         std::ranges::count_if(comparison.matched, [](const MatchedJoint& joint) { return joint.moves; }));
-    const size_t main_joints = mainJoints().size();
+    const auto main_joints =
+        static_cast<size_t>(std::ranges::count_if(mainJoints(), [&](const std::string& name) {
+            const int joint = skeleton.find(name);
+            return joint >= 0 && skeleton.joint(joint).type != JointType::kFixed;
+        }));
     if (moving < main_joints)
         data.warnings.push_back("Only " + std::to_string(moving) +
                                 " joints of the reference were recognised by their names.");
@@ -262,7 +266,7 @@ Status addQuality(const Take& take, const DerivedRun& run, const RunSettings& se
     return Done{};
 }
 
-Status addRun(const Take& take, const DerivedRun& run, const RunSettings& settings,
+Status addRun(const Take& take, const DerivedRun& run, const RunSettings& settings, bool is_shown,
               const Reference& reference, ReportData& data) {
     const auto motion = take.poseSource(run.run);
     if (!motion)
@@ -270,14 +274,17 @@ Status addRun(const Take& take, const DerivedRun& run, const RunSettings& settin
     ReportRun described = describeRun(take, run, settings);
     if (reference.there) {
         auto comparison = compareMotions(*motion, reference.motion, reference.options);
-        if (!comparison)
+        if (!comparison && is_shown)
             return comparison.error();
-        for (MatchedJoint& joint : comparison->matched)
-            if (const auto name = reference.names.find(joint.reference_name); name != reference.names.end())
-                joint.reference_name = name->second;
-        if (data.runs.empty())
-            warnOfMatchedSegments(*comparison, data);
-        described.comparison = std::move(*comparison);
+        if (comparison) {  // another run may be of somebody else
+            for (MatchedJoint& joint : comparison->matched)
+                if (const auto name = reference.names.find(joint.reference_name);
+                    name != reference.names.end())
+                    joint.reference_name = name->second;
+            if (data.runs.empty())
+                warnOfMatchedSegments(*comparison, motion->skeleton, data);
+            described.comparison = std::move(*comparison);
+        }
     }
     data.runs.push_back(std::move(described));
     return Done{};
@@ -342,9 +349,10 @@ Result<ReportData> evaluateTake(const EvaluateRequest& request, const JobContext
             return JobContext::cancelledError();
         job.progress(0.5 * static_cast<double>(i) / static_cast<double>(runs.size()), "Comparing runs");
         const RunSettings settings = runSettings(runs[i], *all_runs, take.level());
-        if (Status added = addRun(take, runs[i], settings, *reference, data); !added)
+        const bool is_shown = runs[i].run == shown->run;
+        if (Status added = addRun(take, runs[i], settings, is_shown, *reference, data); !added)
             return added.error();
-        data.runs.back().is_shown = runs[i].run == shown->run;
+        data.runs.back().is_shown = is_shown;
     }
     reference->motion = {};  // not needed any more; an hour of it is some 500 MB
     if (runs.size() > 1)
@@ -353,6 +361,7 @@ Result<ReportData> evaluateTake(const EvaluateRequest& request, const JobContext
     if (Status added = addQuality(take, *shown, runSettings(*shown, *all_runs, take.level()), data, job);
         !added)
         return added.error();
+    data.people_apart = runSettings(*shown, *all_runs, take.level()).people_apart;
     for (const SkippedRows& skipped : take.skippedRows())
         data.warnings.push_back(std::to_string(skipped.count) + " rows of " + skipped.table +
                                 " could not be used, first " + skipped.first + ".");

@@ -6,6 +6,7 @@
 
 #include "core/formats/motion_document.h"
 #include "core/formats/number_text.h"
+#include "core/import/markers.h"
 #include "core/job/atomic_file.h"
 #include "core/math/json.h"
 #include "core/motion/common_joints.h"
@@ -13,6 +14,13 @@
 
 namespace noctule {
 namespace {
+
+Result<PositionTable> readMarkedJoints(const std::string& path, const JobContext& job) {
+    const auto markers = readMarkers(path, job);
+    if (!markers)
+        return markers.error();
+    return jointsOfMarkers(*markers, nlohmann::json::object(), "", path);
+}
 
 std::string sentence(const std::string& path, const BvhWarning& warning) {
     return std::filesystem::path(path).filename().string() + ", " + toText(warning) + ".";
@@ -25,11 +33,16 @@ bool isPositionsFile(const std::string& path) {
     return extension == ".csv" || extension == ".CSV";
 }
 
-Result<AttachRequest> readAttachment(const std::string& path, std::vector<std::string>& warnings) {
+bool holdsPlacesOnly(const std::string& path) {
+    return isPositionsFile(path) || isMarkerFile(path);
+}
+
+Result<AttachRequest> readAttachment(const std::string& path, std::vector<std::string>& warnings,
+                                     const JobContext& job) {
     AttachRequest request;
     request.source_name = path;
-    if (isPositionsFile(path)) {
-        auto table = readPositionsCsv(path);
+    if (holdsPlacesOnly(path)) {
+        auto table = isPositionsFile(path) ? readPositionsCsv(path, job.cancel) : readMarkedJoints(path, job);
         if (!table)
             return table.error();
         warnings.insert(warnings.end(), table->warnings.begin(), table->warnings.end());

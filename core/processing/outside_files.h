@@ -14,10 +14,13 @@ namespace noctule {
 
 /// Whether a name says that the file is a table of positions and not a motion.
 bool isPositionsFile(const std::string& path);
+/// Likewise, or markers: neither tells how limbs are twisted.
+bool holdsPlacesOnly(const std::string& path);
 
-/// A BVH motion or a CSV table of positions, ready to be attached to a take; what was odd about the file goes
-/// into `warnings` as whole sentences.
-Result<AttachRequest> readAttachment(const std::string& path, std::vector<std::string>& warnings);
+/// A motion, a CSV table of positions or markers named as joints (C3D, TRC), ready to be attached to a take;
+/// what was odd about the file goes into `warnings` as whole sentences.
+Result<AttachRequest> readAttachment(const std::string& path, std::vector<std::string>& warnings,
+                                     const JobContext& job);
 
 /// A motion that shows no whole person (`why`), with its names and axes as they are: a part of a body
 /// compares too. Returns `why` when hints were given, which could not be heeded.

@@ -38,7 +38,12 @@ RunSettings runSettings(const DerivedRun& pose_run, const std::vector<DerivedRun
     settings.ground = json::text(read, "ground").value_or("");
     settings.contacts_edited = json::text(read, "contacts").value_or("") == kContactsEdited;
     settings.root_given = json::text(read, "root") == "given";
-    settings.uses_room = read.is_object() && read.contains("room") && read["room"] == true;
+    const auto says = [&read](const char* key) {
+        return read.is_object() && read.contains(key) && read[key] == true;
+    };
+    settings.uses_room = says("room");
+    settings.people_apart = read.is_object() && read.contains("subjects") && read["subjects"].size() > 1 &&
+                            !settings.uses_room && !says("between");
     settings.process_sigma_rad_per_s2 = json::number(read, "process_sigma_rad_per_s2");
     settings.inertial_run = runNumber(read, "inertial_run");
     if (!settings.inertial_run)

@@ -17,7 +17,8 @@ struct RunSettings {
     std::string ground;            ///< empty: a run that knew of no contacts
     bool contacts_edited = false;  ///< those of an operator were used, none were looked for
     bool root_given = false;
-    bool uses_room = false;                          ///< anchors held the world
+    bool uses_room = false;     ///< anchors held the world
+    bool people_apart = false;  ///< several people, whose places to each other nothing measured
     std::optional<int64_t> inertial_run, range_run;  ///< what it was made from; kPrimaryRun: primary rows
     std::optional<double> process_sigma_rad_per_s2;  ///< estimator "paper"
 };

@@ -249,6 +249,8 @@ private:
         line.watermark = std::max(line.watermark, watermark);
         if (line.watermark > 0)
             line.tracker->advanceTo(line.watermark);
+        if (line.ended)
+            joint_->end(static_cast<size_t>(&line - lines_.data()));
         return Done{};
     }
 
@@ -342,6 +344,10 @@ private:
                 warnings.push_back(subjects_[i].subject.name +
                                    " cannot be joined to the others: while the rest pose was held, too few "
                                    "distances to them or to the room fit. These poses are their own.");
+        if (joining_.room && joining_.anchorsHeard() < 2)
+            warnings.push_back(
+                "One anchor alone does not tell how everybody is turned about it: places and headings in the "
+                "room are guesses, those of people to each other are not. Hang up two more anchors.");
         if (joining_.room)
             for (const int anchor : joint_->movedAnchors())
                 warnings.push_back("Anchor " + joining_.room->suit.boards[static_cast<size_t>(anchor)].id +
@@ -355,7 +361,11 @@ private:
 
     /// A box from which no readings come.
     void warnOfSilence(Line& line) {
+        if (line.heard_s == 0)
+            return;  // it has ranges alone
         noteReading(line, duration_s(*line.in), true);
+        if (!line.silences.empty() && line.silences.front().first == 0)
+            line.silences.erase(line.silences.begin());  // before its box began there are no poses
         for (const auto& [from_s, to_s] : line.silences) {
             char when[80];
             std::snprintf(when, sizeof when, "from %.1f s to %.1f s of %.1f s",
@@ -415,7 +425,7 @@ Result<bool> processTogether(Take& take, const ProcessRequest& request, const Tr
         return false;
     results.summary.together = ProcessSummary::Together{};
     results.summary.together->between = joining->between;
-    results.summary.together->room = joining->room.has_value();
+    results.summary.together->room = joining->room && joining->anchorsHeard() > 1;
     Together together(take, settings, subjects, std::move(*joining), results);
     if (Status run = together.run(request.select, job); !run)
         return run.error();

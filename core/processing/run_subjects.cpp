@@ -2,6 +2,7 @@
 #include "core/processing/run_subjects.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 
@@ -21,6 +22,27 @@ std::string fileWord(std::string name) {
     return name;
 }
 
+/// Of whoever is seen first.
+Result<double> firstPose_s(const ExportRequest& request, const std::vector<TakeSubject>& subjects) {
+    const auto take = Take::open(request.take_path);
+    if (!take)
+        return take.error();
+    const auto run = choosePoseRun(*take, request.run);
+    if (!run)
+        return run.error();
+    double first_s = std::numeric_limits<double>::infinity();
+    for (const TakeSubject& subject : subjects) {
+        const auto poses = take->poses(run->run, subject.suit());
+        if (!poses)
+            return poses.error();
+        if (!poses->frames.empty())
+            first_s = std::min(first_s, static_cast<double>(poses->frames.front().time_ns) * 1e-9);
+    }
+    return std::isfinite(first_s) ? first_s : 0;
+}
+
+}  // namespace
+
 std::string pathOfSubject(const std::string& path, const std::string& subject) {
     const std::filesystem::path whole(path);
     return (whole.parent_path() /
@@ -28,16 +50,22 @@ std::string pathOfSubject(const std::string& path, const std::string& subject) {
         .string();
 }
 
-}  // namespace
-
 Result<std::vector<ExportRequest>> requestsOfSubjects(const ExportRequest& request) {
     const auto subjects = subjectsOfRun(request.take_path, request.run);
     if (!subjects)
         return subjects.error();
+    std::optional<double> from_s = request.from_s;
+    if (!from_s && subjects->size() > 1) {
+        const auto begin_s = firstPose_s(request, *subjects);
+        if (!begin_s)
+            return begin_s.error();
+        from_s = *begin_s;
+    }
     std::vector<ExportRequest> requests;
     for (const TakeSubject& subject : *subjects) {
         ExportRequest own = request;
         own.suit = subject.suit();
+        own.from_s = from_s;
         for (const ExportFormatEntry& format : exportFormats())
             if (std::string& path = own.*format.path; subjects->size() > 1 && !path.empty())
                 path = pathOfSubject(path, subject.name);

@@ -11,8 +11,12 @@ namespace noctule {
 /// Errors as those of choosePoseRun().
 Result<std::vector<TakeSubject>> subjectsOfRun(const std::string& take_path, const std::string& run);
 
+/// "walk_A.bvh" of "walk.bvh". What a file's name cannot hold becomes an underscore.
+std::string pathOfSubject(const std::string& path, const std::string& subject);
+
 /// The same export for each subject of its run; where there are several, files are called "walk_A.bvh"
-/// instead of "walk.bvh". What a file's name cannot hold becomes an underscore.
+/// instead of "walk.bvh", and their frames are at the same instants: those of whoever is seen first go on.
+/// What a file's name cannot hold becomes an underscore.
 Result<std::vector<ExportRequest>> requestsOfSubjects(const ExportRequest& request);
 
 /// The same export with all subjects of its run as characters of one FBX or GLB file (exportStacks()), while

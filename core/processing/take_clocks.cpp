@@ -23,11 +23,6 @@ struct SuitOfFlights {
     std::vector<char> board_has_source;
 };
 
-bool isRoom(const Suit& suit) {
-    return std::ranges::all_of(suit.boards, [](const Board& board) { return board.segment.empty(); }) &&
-           std::ranges::all_of(suit.sources, [](const Source& source) { return source.segment.empty(); });
-}
-
 class FlightsOfTake {
 public:
     explicit FlightsOfTake(const Take& take) : take_(take) {}
@@ -45,7 +40,7 @@ public:
                     of.board_has_source[static_cast<size_t>(of.housing_of_source.back())] = 1;
             }
             const SuitClock clock = take_.suitClock(id);
-            guesses.push_back({clock.offset_ns * 1e-9, clock.rate, isRoom(*suit)});
+            guesses.push_back({clock.offset_ns * 1e-9, clock.rate, suit->isFixed()});
             suits.push_back(std::move(of));
         }
         auto clocks = CrossClocks::of(take_);
@@ -87,10 +82,8 @@ private:
             cross.range.w_s * cross.range.w_t < kLeastConfidence)
             return;
         const double emission_s = static_cast<double>(cross.range.pulse_sample) / from_suit->rate_hz;
-        const double take_s =
-            guesses[from].offset_s + guesses[from].rate * emission_s +
-            made_by_.byGuess_m(cross.from_suit, suits[to].id, cross.range, kSoundOfFlights_m_per_s) /
-                kSoundOfFlights_m_per_s;
+        const double take_s = guesses[from].offset_s + guesses[from].rate * emission_s +
+                              made_by_.flight_s(cross.from_suit, suits[to].id, cross.range);
         const double sigma_m = cross.range.sigma_m > 0 ? cross.range.sigma_m : kUnstatedFlight_m;
         flights.push_back({static_cast<int>(from), static_cast<int>(to), housing, cross.range.board,
                            emission_s, (take_s - guesses[to].offset_s) / guesses[to].rate,

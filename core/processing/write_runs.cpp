@@ -24,6 +24,12 @@ Result<std::vector<TakeSubject>> chooseSubjects(const Take& take, const ProcessR
         if (std::ranges::none_of(*all, [&](const auto& one) { return !one.room && one.name == name; }))
             return Error{ErrorKind::kUsage, take.path() + ": has no subject '" + name + "'",
                          "Its subjects are " + namesOf(*all)};
+    for (const int suit : take.suitIds())
+        if (take.actorInForce(suit) && std::ranges::none_of(*all, [suit](const TakeSubject& one) {
+                return std::ranges::count(one.suits, suit) > 0;
+            }))
+            warnings.push_back("Suit " + std::to_string(suit) +
+                               " has an actor, but the take's subjects do not name it: it is left out.");
     std::vector<TakeSubject> chosen;
     for (const TakeSubject& subject : *all) {
         if (!subject.room &&

@@ -405,8 +405,10 @@ Result<PoseSource> Take::poseSource(int64_t run, int suit) const {
         std::find_if(runs->begin(), runs->end(), [&](const DerivedRun& r) { return r.run == run; });
     if (found == runs->end() || found->kind != "pose")
         return unusable("there is no pose run " + std::to_string(run), "Process the take first");
-    auto own = found->actor_id ? actor(*found->actor_id) : Result<Actor>(Actor{});
-    if (!found->actor_id) {
+    DerivedRun of_suit = *found;  // whose parts are those of the suit in view
+    namePartsOf(suit, of_suit);
+    auto own = of_suit.actor_id ? actor(*of_suit.actor_id) : Result<Actor>(Actor{});
+    if (!of_suit.actor_id) {
         auto in_force = actorInForce(suit);
         own = in_force ? Result<Actor>(std::move(in_force->value)) : Result<Actor>(in_force.error());
     }

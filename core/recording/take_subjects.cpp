@@ -14,13 +14,6 @@ Error badSubjects(const std::string& take, const std::string& what) {
             "Correct subjects in the take's meta table, or remove it"};
 }
 
-/// Nobody wears it: anchors.
-bool isFixed(const Suit& suit) {
-    return std::ranges::all_of(suit.boards, [](const Board& board) { return board.segment.empty(); }) &&
-           std::ranges::all_of(suit.sources, [](const Source& source) { return source.segment.empty(); }) &&
-           suit.boards.size() + suit.sources.size() > 0;
-}
-
 }  // namespace
 
 Result<TakeSubject> Take::subjectFrom(const nlohmann::json& entry) const {
@@ -55,7 +48,7 @@ std::vector<TakeSubject> Take::subjectsByActor(const std::vector<DocumentRow>& a
         return all;
     }
     for (const auto& [id, entry] : suits_)
-        if (entry.suit && isFixed(*entry.suit) &&
+        if (entry.suit && entry.suit->isFixed() &&
             std::ranges::none_of(all, [suit = id](const TakeSubject& one) { return one.suit() == suit; }))
             all.push_back({"", {id}, true});
     return all;

@@ -39,6 +39,7 @@ public:
         judgeResidual();
         judgeBoards();
         judgeHoles();
+        charge(VerdictReason::kPeopleApart, report_.people_apart ? Grade::kUsable : Grade::kGood);
         return sorted();
     }
 
@@ -116,15 +117,17 @@ private:
     void judgeSupport() {
         if (verdict_.joints.empty())
             return;
-        double sum = 0, most_alone = 0;
-        for (const JointSupport& support : report_.support) {
+        double sum = 0;
+        for (const JointSupport& support : report_.support)
             sum += support.ranges;
-            most_alone = std::max(most_alone, support.alone());
-        }
+        const JointSupport& alone = *std::ranges::max_element(report_.support, {}, &JointSupport::alone);
         verdict_.backed_share = sum / static_cast<double>(report_.support.size());
         if (comparison_ || is_uncalibrated_)
             return;
-        Grade grade = gradeOf(most_alone, limits_.good_alone, limits_.usable_alone);
+        const Grade of_alone = alone.alone() >= kNeverTold
+                                   ? Grade::kUsable  // it has no sensor: the suit is of that kind
+                                   : gradeOf(alone.alone(), limits_.good_alone, limits_.usable_alone);
+        Grade grade = of_alone;
         if (run_->sensors.find('D') == std::string::npos)
             grade = std::max(grade, Grade::kUsable);  // nothing stops the drift; how far it goes is unknown
         else
@@ -132,6 +135,10 @@ private:
                              gradeOf(-verdict_.backed_share, -limits_.good_backed, -limits_.usable_backed));
         if (findLessCertainJoint())
             grade = std::max(grade, Grade::kUsable);
+        if (of_alone != Grade::kGood && of_alone == grade) {
+            verdict_.alone_joint = alone.joint;
+            verdict_.alone_share = alone.alone() >= kNeverTold ? 1 : alone.alone();
+        }
         charge(VerdictReason::kSupport, grade);
     }
 
@@ -231,6 +238,7 @@ private:
         verdict_.longest_hole_s = std::max(verdict_.longest_hole_s, length_s);
     }
 
+    static constexpr double kNeverTold = 0.999;  ///< share of a joint's time
     static constexpr double kOneSigma = 0.683;   ///< of normal errors' sizes stay within it
     static constexpr size_t kLeastOfPart = 50;   ///< ranges; fewer say little of a source or a board
     static constexpr double kLeastDrift_s = 20;  ///< a slope over less says little

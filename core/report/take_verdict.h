@@ -44,6 +44,7 @@ enum class VerdictReason {
     kBoardLost,      ///< a board lost frames
     kHole,           ///< a hole without signal
     kNoPoses,        ///< the run shows nothing
+    kPeopleApart,    ///< nothing measured where several performers stand to each other
     kNotCalibrated,  ///< what the run was made with lacks values; stands for all that follows from it
 };
 
@@ -75,6 +76,9 @@ struct TakeVerdict {
 
     /// By error with a reference, else the one that ranges stopped backing; empty: none stands out.
     std::string worst_joint;
+    /// The joint that no sensor told for most of the time, where that lowered the grade; empty: none.
+    std::string alone_joint;
+    double alone_share = 0;                  ///< of the time; 1: it has no sensor and keeps its usual pose
     std::optional<double> worst_from_s;      ///< from when on it was less certain, where that can be told
     std::vector<VerdictBoard> lossy_boards;  ///< that lost more than is good, worst first
     CalibrationLack lack;                    ///< of what the run was made with

@@ -38,6 +38,11 @@ std::string jointSentence(const Comparison& comparison, const std::string& worst
 }
 
 std::string supportSentence(const ReportData& data, const TakeVerdict& judged) {
+    if (!judged.alone_joint.empty() && judged.alone_share < 1)
+        return bothNames(judged.alone_joint) + " was told by no sensor for " +
+               text::percent(judged.alone_share) + " of the time.";
+    if (!judged.alone_joint.empty())
+        return bothNames(judged.alone_joint) + " has no sensor and keeps its usual pose.";
     if (judged.worst_from_s)
         return bothNames(judged.worst_joint) + " is less certain from " + text::clock(*judged.worst_from_s) +
                " on: ranges stopped backing it. " + kDrift;
@@ -45,10 +50,6 @@ std::string supportSentence(const ReportData& data, const TakeVerdict& judged) {
         return "The suit has no sources. How far its joints drift is not known without a reference.";
     if (judged.backed_share <= 0)
         return std::string("No joint was backed by ranges. ") + kDrift;
-    const auto alone = std::ranges::max_element(data.support, {}, &JointSupport::alone);
-    if (alone->alone() > VerdictLimits{}.good_alone)
-        return bothNames(alone->joint) + " was told by no sensor for " + text::percent(alone->alone()) +
-               " of the time.";
     return "Ranges backed the joints only " + text::percent(judged.backed_share) + " of the time. " + kDrift;
 }
 
@@ -78,6 +79,10 @@ std::string reasonSentence(VerdictReason reason, const ReportData& data, const R
         case VerdictReason::kHole:
             return "No signal for " + text::number(judged.longest_hole_s, 2) +
                    " s in one piece: the pose is a guess there.";
+        case VerdictReason::kPeopleApart:
+            return "Nothing measured where the performers stand to each other: no ranges between them or to "
+                   "a "
+                   "room were used. Their distance is a guess.";
         case VerdictReason::kNone:
         case VerdictReason::kMeanError:
         case VerdictReason::kBoardLost:

@@ -47,7 +47,7 @@ void addAnchor(const SurveyedAnchor& anchor, const RoomSurvey& survey, std::vect
                             "Anchor " + anchor.id +
                                 " may as well hang at a second place, its mirror image: the "
                                 "ranges do not tell which",
-                            "Walk more widely and turn, or give heights of anchors with --height"});
+                            "Walk more widely and turn, or measure heights of anchors (--height)"});
     else if (anchor.sigma_m > kGoodAnchor_m)
         findings.push_back({anchor.sigma_m > kUsable_m ? Grade::kNotUsable : Grade::kUsable, anchor.id,
                             weakness(anchor, survey), walk});
@@ -62,7 +62,7 @@ void addFrame(const RoomSurvey& survey, const Evidence& evidence, std::vector<Fi
                                    "images it is are taken from the room's file"
                                  : "Nobody walked past the anchors: place, heading, level and which of two "
                                    "mirror images it is are taken from the room's file",
-             "Record a take with somebody in a suit, or give heights of three anchors with --height"});
+             "Record a take with somebody in a suit, or measure the heights of three anchors (--height)"});
     else if (frame.fixed < 6)
         findings.push_back(
             {Grade::kNotUsable, "",

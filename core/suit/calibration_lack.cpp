@@ -67,6 +67,8 @@ CalibrationLack lackOf(const Suit& suit, const Calibration& calibration) {
     for (int s = 0; s < lack.source_count; ++s)
         if (!hasOffsets(calibration.findSource(suit.sources[static_cast<size_t>(s)].id)))
             lack.sources.push_back(s);
+    if (suit.isFixed())
+        return lack;  // nothing of it moves
     const bool believed = !hasHistory(calibration) && !lack.ofAllOffsets();
     for (int b = 0; b < lack.board_count; ++b) {
         const Board& board = suit.boards[static_cast<size_t>(b)];

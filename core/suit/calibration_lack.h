@@ -12,7 +12,8 @@
 namespace noctule {
 
 /// Indices into the suit. A calibration without any history is believed when it has source offsets: such
-/// files come from other programs and from the simulation. Nominal values never count.
+/// files come from other programs and from the simulation. Nominal values never count. Of a room only
+/// its sources need calibration.
 struct CalibrationLack {
     std::vector<int> sources;  ///< without offsets
     std::vector<int> accelerometers, gyroscopes, rest_pose;

@@ -138,6 +138,12 @@ Status checkParts(const std::vector<Part>& parts, const std::string& singular,
 
 }  // namespace
 
+bool Suit::isFixed() const {
+    const auto is_fixed = [](const auto& part) { return part.segment.empty(); };
+    return std::ranges::all_of(boards, is_fixed) && std::ranges::all_of(sources, is_fixed) &&
+           boards.size() + sources.size() > 0;
+}
+
 int Suit::findBoard(const std::string& id) const {
     return findId(boards, id);
 }

@@ -53,6 +53,8 @@ struct Suit {
 
     static constexpr size_t kMaxPerSuit = 32;
 
+    /// Nobody wears it: anchors in the room.
+    bool isFixed() const;
     int findBoard(const std::string& id) const;   ///< -1 when absent
     int findSource(const std::string& id) const;  ///< -1 when absent
 };

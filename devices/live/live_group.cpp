@@ -82,7 +82,7 @@ Result<Suit> LiveGroup::wornSuit(const GroupSuit& wish, size_t index) {
     auto suit = wish.suit ? link::placedBySerial(hello.suit, *wish.suit) : Result<Suit>(hello.suit);
     if (!suit)
         return suit;
-    members_[index].is_room = (wish.suit || hello.suit_is_placed) && isFixed(*suit);
+    members_[index].is_room = (wish.suit || hello.suit_is_placed) && suit->isFixed();
     if (isRoom(index) && wish.actor)
         return Error{ErrorKind::kUsage,
                      nameOf(index) + ": all of it is fixed in the room, so nobody wears it, and " +

@@ -78,10 +78,4 @@ Suit withVoice(Suit suit, const link::Hello& hello) {
     return suit;
 }
 
-bool isFixed(const Suit& suit) {
-    return std::ranges::all_of(suit.boards, [](const Board& board) { return board.segment.empty(); }) &&
-           std::ranges::all_of(suit.sources, [](const Source& source) { return source.segment.empty(); }) &&
-           suit.boards.size() + suit.sources.size() > 0;
-}
-
 }  // namespace noctule

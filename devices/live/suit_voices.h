@@ -27,7 +27,4 @@ std::vector<std::string> voiceWarnings(const std::vector<SuitVoice>& voices);
 /// The suit with what its box says of carrier, pulses and rate: meta holds those of suit 1 only.
 Suit withVoice(Suit suit, const link::Hello& hello);
 
-/// Nobody wears it: anchors in the room.
-bool isFixed(const Suit& suit);
-
 }  // namespace noctule

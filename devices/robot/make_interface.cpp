@@ -7,7 +7,8 @@
 namespace noctule::robot_link {
 namespace {
 
-constexpr const char* kRemedy = "Give udp://HOST:PORT or rosbridge://HOST:PORT, such as rosbridge://127.0.0.1:9090";
+constexpr const char* kRemedy =
+    "Give udp://HOST:PORT or rosbridge://HOST:PORT, such as rosbridge://127.0.0.1:9090";
 
 using Made = Result<std::unique_ptr<RobotInterface>>;
 

@@ -4241,6 +4241,10 @@
         <translation>%1: der Punkt „%2“ von Anzug %3 in der Tabelle ist kein Gerät dieser Aufnahme</translation>
     </message>
     <message>
+        <source>%1: the take holds %2</source>
+        <translation>%1: Die Aufnahme enthält %2</translation>
+    </message>
+    <message>
         <source>%1: the unit of its lengths is not one that can be checked</source>
         <translation>%1: die Einheit der Längen lässt sich nicht prüfen</translation>
     </message>
@@ -4339,6 +4343,10 @@
     <message>
         <source>Check that the suits heard each other</source>
         <translation>Prüfen, ob die Anzüge einander gehört haben</translation>
+    </message>
+    <message>
+        <source>Check that they heard each other, or process with %1</source>
+        <translation>Prüfen, ob sie einander gehört haben, oder mit %1 verarbeiten</translation>
     </message>
     <message>
         <source>Check that you may write there and that it has room</source>
@@ -4565,6 +4573,10 @@
         <translation>Keine Einheit macht die Figur in %1 so groß wie einen Menschen</translation>
     </message>
     <message>
+        <source>Nobody hears the anchors of the room, and they hear nobody: where people are in the room is not known. Check that the room's box sounded and has a calibration.</source>
+        <translation>Niemand hört die Anker des Raums, und sie hören niemanden: Wo im Raum jemand steht, ist nicht bekannt. Prüfen, ob die Box des Raums getönt hat und eine Kalibrierung hat.</translation>
+    </message>
+    <message>
         <source>Not usable: %1</source>
         <translation>Nicht brauchbar: %1</translation>
     </message>
@@ -4575,6 +4587,10 @@
     <message>
         <source>Offsets for detector matched were derived from those for inflection for</source>
         <translation>Versätze für den Detektor matched wurden aus denen für inflection abgeleitet für</translation>
+    </message>
+    <message>
+        <source>One anchor alone does not tell how everybody is turned about it: places and headings in the room are guesses, those of people to each other are not. Hang up two more anchors.</source>
+        <translation>Ein Anker allein sagt nicht, wie alle um ihn gedreht sind: Orte und Richtungen im Raum sind geraten, die der Personen zueinander nicht. Zwei weitere Anker aufhängen.</translation>
     </message>
     <message>
         <source>Only %1 joints of the reference were recognised by their names.</source>
@@ -4745,6 +4761,10 @@
         <translation>Zustände des Roboters</translation>
     </message>
     <message>
+        <source>Suit %1 has an actor, but the take's subjects do not name it: it is left out.</source>
+        <translation>Anzug %1 hat einen Darsteller, aber die Personen der Aufnahme nennen ihn nicht: Er wird ausgelassen.</translation>
+    </message>
+    <message>
         <source>Take --estimator comocap</source>
         <translation>--estimator comocap nehmen</translation>
     </message>
@@ -4811,6 +4831,10 @@
     <message>
         <source>The nearest two points of different people: distance, and error of the vector between them, as figure 4 of Welch 2018.</source>
         <translation>Die nächsten zwei Punkte verschiedener Personen: Abstand und Fehler des Vektors zwischen ihnen, wie Bild 4 von Welch 2018.</translation>
+    </message>
+    <message>
+        <source>The performers do not hear each other: where they stand to each other comes from the room alone.</source>
+        <translation>Die Darsteller hören einander nicht: Wie sie zueinander stehen, kommt allein aus dem Raum.</translation>
     </message>
     <message>
         <source>The pictures have another size than asked for.</source>
@@ -5037,8 +5061,16 @@
         <translation>keine Abstände</translation>
     </message>
     <message>
+        <source>no distances between its subjects</source>
+        <translation>keine Entfernungen zwischen ihren Personen</translation>
+    </message>
+    <message>
         <source>no distances between its suits are known, since their clocks cannot be found from their sound</source>
         <translation>keine Abstände zwischen ihren Anzügen sind bekannt, da sich ihre Uhren aus ihrem Schall nicht finden lassen</translation>
+    </message>
+    <message>
+        <source>no distances to its room</source>
+        <translation>keine Entfernungen zu ihrem Raum</translation>
     </message>
     <message>
         <source>no gyroscopes</source>
@@ -5810,6 +5842,10 @@
         <translation>%1 Bilder ließen sich nicht vergleichen, weil die Referenz keines in ihrer Nähe hat.</translation>
     </message>
     <message>
+        <source>%1 has no sensor and keeps its usual pose.</source>
+        <translation>%1 hat keinen Sensor und behält die übliche Haltung.</translation>
+    </message>
+    <message>
         <source>%1 is less certain from %2 on: ranges stopped backing it. %3</source>
         <translation>%1 ist ab %2 weniger sicher: Entfernungen stützten es nicht mehr. %3</translation>
     </message>
@@ -6396,6 +6432,10 @@
     <message>
         <source>Nothing has moved</source>
         <translation>Nichts ist verrutscht</translation>
+    </message>
+    <message>
+        <source>Nothing measured where the performers stand to each other: no ranges between them or to a room were used. Their distance is a guess.</source>
+        <translation>Nichts hat gemessen, wie die Darsteller zueinander stehen: Es wurden keine Entfernungen zwischen ihnen oder zu einem Raum verwendet. Ihr Abstand ist geraten.</translation>
     </message>
     <message>
         <source>Offsets</source>
@@ -7826,8 +7866,8 @@
         <translation>Nehmen Sie mit einem Darsteller auf, oder tragen Sie ungefähre Plätze in die Raumdatei ein</translation>
     </message>
     <message>
-        <source>Record a take with somebody in a suit, or give heights of three anchors with --height</source>
-        <translation>Nehmen Sie mit jemandem im Anzug auf, oder geben Sie mit --height die Höhen von drei Ankern an</translation>
+        <source>Record a take with somebody in a suit, or measure the heights of three anchors (--height)</source>
+        <translation>Eine Aufnahme mit jemandem im Anzug machen, oder die Höhen von drei Ankern messen (--height)</translation>
     </message>
     <message>
         <source>Record again, slowly past all anchors</source>
@@ -7874,8 +7914,8 @@
         <translation>Die Einmessung kam zu keinem Ende</translation>
     </message>
     <message>
-        <source>Walk more widely and turn, or give heights of anchors with --height</source>
-        <translation>Gehen Sie weiter umher und drehen Sie sich, oder geben Sie mit --height Höhen von Ankern an</translation>
+        <source>Walk more widely and turn, or measure heights of anchors (--height)</source>
+        <translation>Weiter umhergehen und sich drehen, oder Höhen von Ankern messen (--height)</translation>
     </message>
     <message>
         <source>Walk slowly past all anchors, turn towards each of them, and see that nothing hides them</source>

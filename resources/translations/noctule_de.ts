@@ -6002,6 +6002,10 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <source>No speech is installed on this computer. On Debian: speech-dispatcher and qtspeech5-speechd-plugin.</source>
         <translation>Auf diesem Rechner ist keine Sprachausgabe installiert. Unter Debian: speech-dispatcher und qtspeech5-speechd-plugin.</translation>
     </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Hoher Kontrast</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::ProblemCard</name>
@@ -6012,10 +6016,6 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
 </context>
 <context>
     <name>noctule::ui::ProcessTakesDialog</name>
-    <message>
-        <source>Process takes again</source>
-        <translation>Aufnahmen neu verarbeiten</translation>
-    </message>
     <message>
         <source>Process</source>
         <translation>Verarbeiten</translation>
@@ -6052,8 +6052,12 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <translation>Jede Aufnahme wird so genau wie möglich verarbeitet, mit allen Sensoren und der Kalibrierung, mit der sie aufgenommen wurde.</translation>
     </message>
     <message>
-        <source>Each take is processed as accurately as possible, with all sensors and the calibration “%1”.</source>
-        <translation>Jede Aufnahme wird so genau wie möglich verarbeitet, mit allen Sensoren und der Kalibrierung „%1“.</translation>
+        <source>Each take is processed as accurately as possible, with all sensors and the calibration “%1”; takes of several performers keep their own.</source>
+        <translation>Jede Aufnahme wird so genau wie möglich verarbeitet, mit allen Sensoren und der Kalibrierung „%1“; Aufnahmen mehrerer Darsteller behalten ihre eigene.</translation>
+    </message>
+    <message>
+        <source>Process takes</source>
+        <translation>Aufnahmen verarbeiten</translation>
     </message>
 </context>
 <context>
@@ -7497,10 +7501,6 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <translation>Anhängen</translation>
     </message>
     <message>
-        <source>A BVH or CSV of another system, to compare with.</source>
-        <translation>Eine BVH oder CSV eines anderen Systems zum Vergleichen.</translation>
-    </message>
-    <message>
         <source>Looking at the reference</source>
         <translation>Die Referenz wird angesehen</translation>
     </message>
@@ -7555,6 +7555,10 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>A reference is attached to %1, the first performer of the take.</source>
         <translation>Eine Referenz wird an %1 gehängt, den ersten Darsteller der Aufnahme.</translation>
+    </message>
+    <message>
+        <source>A motion, markers or positions of another system, to compare with.</source>
+        <translation>Eine Bewegung, Marker oder Positionen eines anderen Systems, zum Vergleichen.</translation>
     </message>
 </context>
 <context>
@@ -8359,10 +8363,6 @@ Median; gut: unter %1</translation>
         <translation>%1 liegt um %2 daneben</translation>
     </message>
     <message>
-        <source>%1 is less certain</source>
-        <translation>%1 ist weniger sicher</translation>
-    </message>
-    <message>
         <source>Ranges backed it %1 of the time, least from %2 on. In between it follows its gyroscope, which drifts by 1 to 3° a minute.</source>
         <translation>Entfernungen stützten es %1 der Zeit, am wenigsten ab %2. Dazwischen folgt es seinem Gyroskop, das um 1 bis 3° je Minute driftet.</translation>
     </message>
@@ -8528,6 +8528,22 @@ Median; gut: unter %1</translation>
     <message>
         <source>It follows the reference, which covers %1 of it.</source>
         <translation>Sie folgt der Referenz, die %1 von ihr abdeckt.</translation>
+    </message>
+    <message>
+        <source>%1 was told by no sensor for %2 of the time</source>
+        <translation>%1: %2 der Zeit von keinem Sensor erfasst</translation>
+    </message>
+    <message>
+        <source>Where they stand to each other is not known</source>
+        <translation>Wie sie zueinander stehen, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>No ranges between the performers or to a room were used, so their distance is a guess. See that every suit has a calibration and heard the others, and process with all sensors.</source>
+        <translation>Es wurden keine Entfernungen zwischen den Darstellern oder zu einem Raum verwendet, ihr Abstand ist also geraten. Dafür sorgen, dass jeder Anzug eine Kalibrierung hat und die anderen hört, und mit allen Sensoren verarbeiten.</translation>
+    </message>
+    <message>
+        <source>%1 has no sensor</source>
+        <translation>%1 hat keinen Sensor</translation>
     </message>
 </context>
 <context>

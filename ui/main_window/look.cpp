@@ -9,7 +9,7 @@ namespace {
 constexpr const char* kScheme = "look/scheme";
 constexpr const char* kScale = "look/scale";
 constexpr const char* kReduceMotion = "look/reduce_motion";
-const QStringList kSchemes{"dark", "light", "desktop"};  // in the order of Scheme
+const QStringList kSchemes{"dark", "light", "desktop", "contrast"};  // in the order of Scheme
 
 }  // namespace
 

@@ -68,7 +68,8 @@ PreferencesDialog::PreferencesDialog(Studio& studio, QWidget* parent) : QDialog(
 void PreferencesDialog::addLook(QVBoxLayout& column) {
     FormRows* rows = addSection(column, tr("Look"));
     scheme_ = new QComboBox;
-    scheme_->addItems({tr("Dark"), tr("Light"), tr("As the desktop")});  // in the order of Scheme
+    scheme_->addItems(
+        {tr("Dark"), tr("Light"), tr("As the desktop"), tr("High contrast")});  // in the order of Scheme
     scheme_->setCurrentIndex(static_cast<int>(Theme::get().scheme()));
     rows->addRow(tr("Colours"), scheme_);
 

@@ -6,7 +6,6 @@
 
 #include "core/session/shot_list.h"
 #include "core/suit/calibration_lack.h"
-#include "devices/live/suit_voices.h"
 #include "ui/language/core_words.h"
 #include "ui/models/live_steps.h"
 #include "ui/models/live_suit.h"
@@ -298,7 +297,7 @@ GroupSuit LiveSuit::groupSuit() const {
     const StreamRequest request = requestOf(std::optional<TakePlan>());
     GroupSuit suit;
     suit.suit = wearing_.suit;
-    if (isFixed(wearing_.suit))
+    if (wearing_.suit.isFixed())
         return suit;  // anchors in the room
     suit.subject = wearing_.performer;
     suit.calibration = request.calibration;

@@ -134,7 +134,7 @@ void LiveSuits::assignPerformers() {
 
 /// One of the session that nobody wears a suit of, else a new one. One that is renamed keeps the suit.
 void LiveSuits::assignPerformer(SuitInUse& worn) {
-    if (!session_.isOpen() || !worn.suit.status()->hello || isFixed(worn.suit.suit())) {
+    if (!session_.isOpen() || !worn.suit.status()->hello || worn.suit.suit().isFixed()) {
         worn.performer = -1;
         return;
     }
@@ -186,7 +186,7 @@ int LiveSuits::letterOf(const SuitInUse& worn) const {
 }
 
 QString LiveSuits::nameOf(const SuitInUse& worn) const {
-    if (isFixed(worn.suit.suit()))
+    if (worn.suit.suit().isFixed())
         return tr("Room", "anchors that nobody wears");
     const std::string& performer = worn.suit.wearing().performer;
     return performer.empty() ? tr("Performer %1").arg(letterOf(worn) + 1) : textIn(performer);

@@ -83,7 +83,7 @@ GroupRequest LiveSuits::requestOf(const LiveSuit::TakePlan& plan) const {
     request.all.take = std::move(take);
     for (const SuitInUse* worn : recorded_) {
         request.suits.push_back(worn->suit.groupSuit());
-        if (!isFixed(worn->suit.suit()))
+        if (!worn->suit.suit().isFixed())
             request.suits.back().subject = nameOf(*worn).toStdString();
     }
     return request;

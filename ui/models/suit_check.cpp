@@ -58,6 +58,7 @@ void SuitCheck::judge() {
     facts.link_is_lost = status->link == LinkState::kLost;
     facts.sound_stalls = status->link == LinkState::kStalled;
     facts.is_assigned = suit_.wearing().is_assigned;
+    facts.is_room = suit_.suit().isFixed();
     for (const uint16_t flags : status->board_flags)
         facts.board_is_plugged.push_back(flags & link::kBoardConnected);
     facts.storage_left_s = storageLeft_s();

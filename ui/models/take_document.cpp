@@ -156,8 +156,11 @@ void TakeDocument::accept(TakeOverview overview, bool show_newest) {
         forgetOutdated(*earlier);
         if (overview_->suit_in_view != earlier->suit_in_view)
             forEachKind([](auto& parts) { drop(parts, [](const auto&) { return true; }); });
-        if (overview_->duration_s != earlier->duration_s)
+        if (overview_->duration_s != earlier->duration_s) {
+            const double at_s = time_.time();
             time_.setExtent(overview_->duration_s, time_.frameStep());
+            time_.setTime(at_s);  // another performer at the same instant
+        }
     }
     forgetUnshown();
     emit opened();

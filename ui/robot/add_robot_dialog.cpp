@@ -61,6 +61,12 @@ AddRobotDialog::AddRobotDialog(const RobotChoice& choice, QWidget* parent)
         if (address_->text() == kUsualAddresses[1 - index])
             address_->setText(kUsualAddresses[index]);
     });
+    connect(address_, &QLineEdit::textEdited, this, [this](const QString& text) {
+        if (text.contains("://"))
+            setAddress(text.trimmed());  // as the robot's program prints it
+    });
+    for (QLineEdit* field : {urdf_, profile_, address_})
+        connect(field, &QLineEdit::textChanged, this, [this] { setProblem({}); });
     keepMinimumWidth(*this, 560);
 }
 

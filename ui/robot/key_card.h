@@ -19,7 +19,8 @@ public:
     void setLook(Tone tone, const QString& title, const QString& about);
 
     QSize sizeHint() const override;
-    QSize minimumSizeHint() const override { return sizeHint(); }
+    /// Half of it: cards that stand in a row give way until they are arranged anew.
+    QSize minimumSizeHint() const override { return {sizeHint().width() / 2, sizeHint().height()}; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -109,7 +109,7 @@ void RobotCenter::arrangeKeys() {
     const Theme& theme = Theme::get();
     int needed = theme.px(2 * 16 + 3 * 12);
     for (const KeyCard* card : {dead_man_, clutch_, hold_, stop_})
-        needed += card->minimumSizeHint().width();
+        needed += card->sizeHint().width();
     const int columns = width() >= needed ? 4 : 2;
     if (columns == key_columns_)
         return;

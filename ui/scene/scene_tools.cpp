@@ -88,6 +88,7 @@ void SceneTools::addViews() {
     views_->addItem(tr("Side"), static_cast<int>(CameraView::kSide));
     views_->addItem(tr("Top"), static_cast<int>(CameraView::kTop));
     views_->setFrame(false);
+    views_->setFocusPolicy(Qt::TabFocus);  // a click leaves Space to the page: it plays, or records
     layout()->addWidget(views_);
     connect(views_, QOverload<int>::of(&QComboBox::activated), this,
             [this] { emit viewChosen(static_cast<CameraView>(views_->currentData().toInt())); });

@@ -155,8 +155,11 @@ QIcon Theme::icon(const QString& name, const QColor& color) const {
 }
 
 void Theme::apply() {
-    dark_ = scheme_ == Scheme::kDark || (scheme_ == Scheme::kDesktop && desktop_is_dark_);
-    tokens_ = readTokens(resourceBytes("style/tokens.json"), dark_);
+    const bool has_contrast = scheme_ == Scheme::kContrast;
+    dark_ = has_contrast || scheme_ == Scheme::kDark || (scheme_ == Scheme::kDesktop && desktop_is_dark_);
+    tokens_ = readTokens(resourceBytes("style/tokens.json"), has_contrast ? ColorSet::kContrast
+                                                             : dark_      ? ColorSet::kDark
+                                                                          : ColorSet::kLight);
     confidence_ = confidenceRamp(tokens_.confidence);
     // A new style makes every widget ask for its sizes again.
     application_.setStyle(new StudioStyle(*this));

@@ -14,7 +14,7 @@
 
 namespace noctule::ui {
 
-enum class Scheme { kDark, kLight, kDesktop };
+enum class Scheme { kDark, kLight, kDesktop, kContrast };
 
 /// Names as in tokens.json.
 struct Tokens {

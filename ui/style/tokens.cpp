@@ -74,9 +74,12 @@ QRgb roundedByLuminance(const Channels& exact) {
 
 }  // namespace
 
-Tokens readTokens(const QByteArray& json, bool dark) {
+Tokens readTokens(const QByteArray& json, ColorSet set) {
     try {
-        const auto scheme = nlohmann::json::parse(json.begin(), json.end()).at(dark ? "dark" : "light");
+        const auto sets = nlohmann::json::parse(json.begin(), json.end());
+        nlohmann::json scheme = sets.at(set == ColorSet::kLight ? "light" : "dark");
+        if (set == ColorSet::kContrast)
+            scheme.update(sets.at("contrast"));
         Tokens tokens;
         for (const NamedColor& color : kColors)
             tokens.*color.member = readColor(scheme.at(color.name).get<std::string>(), color.name);

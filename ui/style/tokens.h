@@ -9,8 +9,11 @@
 
 namespace noctule::ui {
 
+/// High contrast: white on black, and what is not said again as in the dark set.
+enum class ColorSet { kDark, kLight, kContrast };
+
 /// Throws std::logic_error naming a colour that is missing or no colour.
-Tokens readTokens(const QByteArray& json, bool dark);
+Tokens readTokens(const QByteArray& json, ColorSet set);
 
 /// Linear in sRGB between the five colours, first to last; each step is lighter (or darker) than the one
 /// before.

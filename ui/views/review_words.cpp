@@ -86,16 +86,15 @@ ProblemWords supportOfAll(const TakeVerdict& verdict, const TakeOverview& overvi
     return words;
 }
 
-ProblemWords supportProblem(const TakeVerdict& verdict, const TakeOverview& overview) {
-    if (verdict.worst_joint.empty())
-        return supportOfAll(verdict, overview);
-    const VerdictJoint* joint = jointOf(verdict, verdict.worst_joint);
+/// No sensor told of it.
+ProblemWords aloneProblem(const TakeVerdict& verdict) {
     ProblemWords words;
-    words.joint = QString::fromStdString(verdict.worst_joint);
-    words.action = Words::tr("Show %1").arg(jointName(verdict.worst_joint, NameCase::kInside));
-    words.time_s = verdict.worst_from_s.value_or(-1);
-    words.title = Words::tr("%1 is less certain").arg(jointName(verdict.worst_joint));
-    const QString share = percentText(joint ? joint->backed_by_ranges : 0);
+    words.joint = QString::fromStdString(verdict.alone_joint);
+    words.action = Words::tr("Show %1").arg(jointName(verdict.alone_joint, NameCase::kInside));
+    words.title = verdict.alone_share < 1
+                      ? Words::tr("%1 was told by no sensor for %2 of the time")
+                            .arg(jointName(verdict.alone_joint), percentText(verdict.alone_share))
+                      : Words::tr("%1 has no sensor").arg(jointName(verdict.alone_joint));
     words.text = verdict.worst_from_s
                      ? Words::tr(
                            "Ranges backed it %1 of the time, least from %2 on. In between it follows its "
@@ -268,6 +267,13 @@ std::vector<ProblemWords> problemsInWords(const TakeVerdict& verdict, const Take
                 words.text = Words::tr(
                     "The pose is a guess there. The timeline hatches these gaps; keep them outside "
                     "in and out.");
+                break;
+            case VerdictReason::kPeopleApart:
+                words.title = Words::tr("Where they stand to each other is not known");
+                words.text = Words::tr(
+                    "No ranges between the performers or to a room were used, so their distance is a guess. "
+                    "See that every suit has a calibration and heard the others, and process with all "
+                    "sensors.");
                 break;
             case VerdictReason::kNoPoses:
                 words.title = Words::tr("This result shows no pose");

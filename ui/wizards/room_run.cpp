@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "core/job/atomic_file.h"
-#include "devices/live/suit_voices.h"
 #include "ui/language/core_words.h"
 
 namespace noctule::ui {
@@ -33,7 +32,7 @@ RoomRun::RoomRun(Studio& studio, QObject* parent) : QObject(parent), studio_(stu
 bool RoomRun::hasRoom(Studio& studio) {
     return hasAnchors(studio.take()) ||
            std::ranges::any_of(studio.suits().connected(),
-                               [](const SuitInUse* worn) { return isFixed(worn->suit.suit()); });
+                               [](const SuitInUse* worn) { return worn->suit.suit().isFixed(); });
 }
 
 /// What was found belongs to its take.

@@ -146,6 +146,22 @@ TEST_F(ReadinessTest, WithoutAnySourceItIsNotReady) {
     EXPECT_EQ(judge(health).verdict, Readiness::Verdict::kReady) << "the operator goes on without them";
 }
 
+TEST_F(ReadinessTest, ARoomIsReadyThoughItsAnchorsDoNotHearEachOtherAndNobodyWearsIt) {
+    facts_.is_room = true;
+    facts_.is_assigned = false;
+    facts_.fit = SuitFit::kUnchecked;
+    judge(wellAt(3));
+    HealthReport health = wellAt(20);
+    for (PairHealth& unheard : health.pairs)
+        unheard = {};
+    const Readiness readiness = judge(health);
+    EXPECT_EQ(readiness.verdict, Readiness::Verdict::kReady);
+    EXPECT_TRUE(readiness.problems.empty());
+    EXPECT_TRUE(readiness.isFit());
+    health.boards[0].silent = true;
+    EXPECT_EQ(judge(health).verdict, Readiness::Verdict::kNotReady);
+}
+
 TEST_F(ReadinessTest, ABoardMayHearNothingForAWhile) {
     judge(wellAt(3));
     HealthReport health = wellAt(8);

@@ -94,6 +94,18 @@ std::string without(double from_s, double to_s) {
            ";DELETE FROM inertial WHERE suit=2 AND sample BETWEEN " + from + " AND " + to + ";";
 }
 
+/// Of suit 1 and the room, after that second of its clock.
+int64_t usedWithTheRoom(const std::string& path, int64_t range_run, double after_s) {
+    const Take take = Take::open(path).value();
+    int64_t used = 0;
+    EXPECT_TRUE(take.forEachCrossRange(range_run, 1, [&](const Take::CrossRange& cross) {
+        used += cross.from_suit == 3 && cross.range.arrival_sample > after_s * 150000 &&
+                cross.range.fate == RangeFate::kUsed;
+        return true;
+    }));
+    return used;
+}
+
 TEST_F(CastGoneWrong, ALostBoxIsSaidAndThePartnerGoesOn) {
     runSql(path_, without(3, 100));
     const ProcessSummary summary = processed(request());
@@ -102,6 +114,13 @@ TEST_F(CastGoneWrong, ALostBoxIsSaidAndThePartnerGoesOn) {
     const ErrorsOfSuit ada = errorsOf(1);
     EXPECT_LT(ada.angles_deg, kUsual_deg);
     EXPECT_LT(ada.root_m, kUsual_m);
+    const int64_t used = usedWithTheRoom(path_, summary.range_run, 3.2);
+    EXPECT_GT(used, 50);
+    // The same where nothing says that her box was expected for longer: her recording ends there.
+    runSql(path_, "DELETE FROM meta WHERE key='sample_count'");
+    const ProcessSummary ended = processed(request());
+    EXPECT_NEAR(double(ended.subjects[0].poses), double(summary.subjects[0].poses), 2);
+    EXPECT_NEAR(double(usedWithTheRoom(path_, ended.range_run, 3.2)), double(used), 0.1 * double(used));
 }
 
 TEST_F(CastGoneWrong, ABoxThatIsLostWhileTheRestPoseIsHeldIsLeftOut) {
@@ -216,6 +235,30 @@ TEST_F(CastGoneWrong, WithoutRangesBetweenEachIsAlone) {
     EXPECT_EQ(refused.error().kind, ErrorKind::kUnusable);
     EXPECT_NE(refused.error().message.find("no distances between its suits"), std::string::npos);
     EXPECT_NE(refused.error().remedy.find("heard each other"), std::string::npos);
+}
+
+TEST_F(CastGoneWrong, WhatWasAskedForAndIsNotThereIsAnErrorElseItIsSaid) {
+    runSql(path_, "DELETE FROM range WHERE suit=3 OR (SELECT suit FROM pulse WHERE pulse.id=range.pulse)=3");
+    ProcessRequest wanted = request();
+    wanted.room = Wanted::kOn;
+    const auto refused = processTake(wanted, {});
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().text().find("no distances to its room"), std::string::npos);
+    const ProcessSummary summary = processed(request());
+    EXPECT_TRUE(says(summary, {"Nobody hears the anchors"}));
+    EXPECT_TRUE(summary.together && summary.together->between && !summary.together->room);
+}
+
+TEST_F(CastGoneWrong, PeopleWhoDoNotHearEachOtherStandWhereTheRoomSays) {
+    runSql(path_,
+           "DELETE FROM range WHERE (suit=1 AND (SELECT suit FROM pulse WHERE pulse.id=range.pulse)=2) OR "
+           "(suit=2 AND (SELECT suit FROM pulse WHERE pulse.id=range.pulse)=1)");
+    const ProcessSummary summary = processed(request());
+    EXPECT_TRUE(says(summary, {"do not hear each other"}));
+    EXPECT_TRUE(summary.together && !summary.together->between && summary.together->room);
+    ProcessRequest wanted = request();
+    wanted.between = Wanted::kOn;
+    EXPECT_FALSE(processTake(wanted, {}));
 }
 
 TEST_F(CastGoneWrong, WhomNobodyHearsIsNamed) {

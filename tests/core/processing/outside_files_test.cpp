@@ -28,7 +28,7 @@ protected:
 
 TEST_F(OutsideFiles, AnAttachedMotionIsRememberedWithNameAndShift) {
     std::vector<std::string> warnings;
-    auto request = readAttachment(motionFile(), warnings);
+    auto request = readAttachment(motionFile(), warnings, {});
     ASSERT_TRUE(request) << request.error().text();
     EXPECT_TRUE(request->motion && !request->positions);
     EXPECT_TRUE(warnings.empty());
@@ -48,16 +48,30 @@ TEST_F(OutsideFiles, AnAttachedMotionIsRememberedWithNameAndShift) {
 TEST_F(OutsideFiles, TablesArePositions) {
     motionFile();
     std::vector<std::string> warnings;
-    const auto request = readAttachment(file("optical.csv"), warnings);
+    const auto request = readAttachment(file("optical.csv"), warnings, {});
     ASSERT_TRUE(request) << request.error().text();
     EXPECT_TRUE(request->positions && !request->motion);
     EXPECT_TRUE(isPositionsFile("a.CSV"));
     EXPECT_FALSE(isPositionsFile("csv.bvh"));
+    EXPECT_TRUE(holdsPlacesOnly("a.csv") && holdsPlacesOnly("a.trc") && holdsPlacesOnly("a.C3D"));
+    ASSERT_TRUE(writeFileAtomically(file("walk.trc"),
+                                    "PathFileType\t4\t(X/Y/Z)\twalk.trc\n"
+                                    "DataRate\tCameraRate\tNumFrames\tNumMarkers\tUnits\n"
+                                    "100\t100\t2\t1\tmm\n"
+                                    "Frame#\tTime\tHips\t\t\n"
+                                    "\t\tX1\tY1\tZ1\n\n"
+                                    "1\t0\t0\t1000\t0\n"
+                                    "2\t0.01\t10\t1000\t0\n",
+                                    false));
+    const auto marked = readAttachment(file("walk.trc"), warnings, {});
+    ASSERT_TRUE(marked) << marked.error().text();
+    ASSERT_TRUE(marked->positions);
+    EXPECT_EQ(marked->positions->joints, std::vector<std::string>{"Hips"});
 }
 
 TEST_F(OutsideFiles, WhatCannotBeReadIsNamed) {
     std::vector<std::string> warnings;
-    EXPECT_EQ(readAttachment(file("none.bvh"), warnings).error().kind, ErrorKind::kUnreadable);
+    EXPECT_EQ(readAttachment(file("none.bvh"), warnings, {}).error().kind, ErrorKind::kUnreadable);
     EXPECT_EQ(referenceFacts(path()).error().kind, ErrorKind::kUnusable) << "the take has none";
     ASSERT_TRUE(writeFileAtomically(file("c.json"), "{", false));
     const auto calibration = readCalibrationFile(file("c.json"));

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "core/processing/cross_clocks.h"
 #include "core/recording/take_edit.h"
 #include "core/recording/take_writer.h"
 
@@ -38,8 +39,9 @@ double way_m(int i, int j, double take_s) {
     return 1.5 + 0.1 * i - 0.07 * j + 0.2 * std::sin(1.5 * take_s);
 }
 
-/// Two suits hear each other, and themselves; `both`: in both directions.
-std::string takeOfTwo(const std::string& name, bool both) {
+/// Two suits hear each other, and themselves; `both`: in both directions; `corrected`: distances are by the
+/// true clocks, not by the guess.
+std::string takeOfTwo(const std::string& name, bool both, double guess_s = kGuess_s, bool corrected = false) {
     const std::string path = (std::filesystem::path(::testing::TempDir()) / name).string();
     std::filesystem::remove(path);
     TakeHeader header;
@@ -52,7 +54,7 @@ std::string takeOfTwo(const std::string& name, bool both) {
     EXPECT_TRUE(take);
     EXPECT_TRUE(take->setMeta("level", "readings"));
     EXPECT_TRUE(take->addSuit(transceivers("one", false)));
-    EXPECT_TRUE(take->addSuit(transceivers("room", true), SuitClock{kGuess_s * 1e9, 1}));
+    EXPECT_TRUE(take->addSuit(transceivers("room", true), SuitClock{guess_s * 1e9, 1}));
     for (int pulse = 0; pulse < 1250; ++pulse)
         for (int from = 1; from <= 2; ++from) {
             const int64_t sample = int64_t{pulse} * (from == 1 ? 1200 : 1230);
@@ -81,8 +83,8 @@ std::string takeOfTwo(const std::string& name, bool both) {
                 const double arrival_s = from == 1 ? (arrival_take_s - kOffset_s) / kRate : arrival_take_s;
                 range.arrival_sample = arrival_s * kFs_hz;
                 const double believed_s =
-                    from == 1 ? kGuess_s + arrival_s - own_s : arrival_s - (kGuess_s + own_s);
-                range.distance_m = believed_s * kSound_m_per_s;
+                    from == 1 ? guess_s + arrival_s - own_s : arrival_s - (guess_s + own_s);
+                range.distance_m = (corrected ? flight_s : believed_s) * kSound_m_per_s;
                 range.sigma_m = 0.002;
                 EXPECT_TRUE(take->addRange(kPrimaryRun, range, "inflection", 3 - from));
             }
@@ -105,6 +107,27 @@ TEST(TakeClocks, TwoWayRangesJoinTheSuits) {
         EXPECT_NEAR(row.offset_ns, (kOffset_s + (kRate - 1) * suit_s) * 1e9, 500) << suit_s;
     }
     EXPECT_NEAR(clocks->lines.at(2).rate, kRate, 0.1e-6);
+}
+
+/// Whoever writes a take may state distances by clocks of its own: here 0.2 ms and 3 ms better than the
+/// guess.
+TEST(TakeClocks, DistancesByOtherClocksThanTheGuessAreNoticed) {
+    for (const double guess_s : {kOffset_s - 0.0002, kGuess_s}) {
+        const auto take = Take::open(takeOfTwo("corrected.noctule", true, guess_s, true));
+        ASSERT_TRUE(take);
+        const auto clocks = joinClocks(*take, {});
+        ASSERT_TRUE(clocks && clocks->tracks.contains(2));
+        EXPECT_NEAR(clocks->lines.at(2).offset_ns, kOffset_s * 1e9, 500);
+        const auto cross = CrossClocks::of(*take, clocks->lines);
+        ASSERT_TRUE(cross) << cross.error().text();
+        int seen = 0;
+        ASSERT_TRUE(take->forEachCrossRange(kPrimaryRun, 2, [&](const Take::CrossRange& of) {
+            const double by_guess_m = cross->byGuess_m(1, 2, of.range, kSound_m_per_s);
+            EXPECT_NEAR(by_guess_m - of.range.distance_m, (guess_s - kOffset_s) * kSound_m_per_s, 0.002);
+            return ++seen < 20;
+        }));
+        EXPECT_EQ(seen, 20);
+    }
 }
 
 TEST(TakeClocks, OneDirectionAloneIsSaid) {

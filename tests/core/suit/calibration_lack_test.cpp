@@ -78,6 +78,20 @@ TEST(CalibrationLack, AFileWithoutHistoryIsBelievedWhenItHasOffsets) {
     EXPECT_EQ(lackOf(suit, calibration).gyroscopes.size(), 1U) << "a board that it does not know";
 }
 
+TEST(CalibrationLack, OfARoomOnlyItsSourcesAreCalibrated) {
+    Suit room = defaultSuit();
+    for (Board& board : room.boards)
+        board.segment.clear();
+    EXPECT_FALSE(room.isFixed()) << "somebody wears its sources";
+    for (Source& source : room.sources)
+        source.segment.clear();
+    EXPECT_TRUE(room.isFixed());
+    Calibration calibration = nominalCalibration(room);
+    EXPECT_EQ(lackInWords(lackOf(room, calibration)), "source offsets");
+    makeOffsets(room, calibration);
+    EXPECT_TRUE(lackOf(room, calibration).isNone());
+}
+
 TEST(CalibrationParts, TheWearingIsLeftOutAndSensorsStay) {
     const Suit suit = defaultSuit();
     Calibration calibration = nominalCalibration(suit);

@@ -70,7 +70,7 @@ protected:
     }
 
     void doAllOnEveryPage() {
-        for (const Scheme scheme : {Scheme::kDark, Scheme::kLight})
+        for (const Scheme scheme : {Scheme::kDark, Scheme::kLight, Scheme::kContrast})
             for (const Step step : {Step::kStart, Step::kConnect, Step::kCalibrate, Step::kRecord,
                                     Step::kReview, Step::kExport, Step::kPerformer, Step::kRobot}) {
                 Theme::get().setScheme(scheme);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The colours keep the promises of the style guide: WCAG contrast in both themes, a ramp that also works in
+// The colours keep the promises of the style guide: WCAG contrast in all themes, a ramp that also works in
 // grey.
 #include "ui/style/tokens.h"
 
@@ -31,7 +31,7 @@ double lightness(const QColor& color) {
     return y > 0.008856 ? 116 * std::cbrt(y) - 16 : 903.3 * y;
 }
 
-class TokensTest : public testing::TestWithParam<bool> {
+class TokensTest : public testing::TestWithParam<ColorSet> {
 protected:
     Tokens tokens = readTokens(resourceBytes("style/tokens.json"), GetParam());
 };
@@ -65,19 +65,35 @@ TEST_P(TokensTest, confidenceRampIsMonotonicInLightness) {
     const auto ramp = confidenceRamp(tokens.confidence);
     EXPECT_EQ(QColor(ramp.front()), tokens.confidence.front());
     EXPECT_EQ(QColor(ramp.back()), tokens.confidence.back());
-    const double direction = GetParam() ? 1 : -1;
+    const double direction = GetParam() == ColorSet::kLight ? -1 : 1;
     for (size_t i = 1; i < ramp.size(); ++i)
         EXPECT_GT(direction * (lightness(QColor(ramp[i])) - lightness(QColor(ramp[i - 1]))), 0) << i;
 }
 
-INSTANTIATE_TEST_SUITE_P(Schemes, TokensTest, testing::Bool(),
-                         [](const auto& name) { return name.param ? "dark" : "light"; });
+INSTANTIATE_TEST_SUITE_P(Schemes, TokensTest,
+                         testing::Values(ColorSet::kDark, ColorSet::kLight, ColorSet::kContrast),
+                         [](const auto& set) {
+                             return set.param == ColorSet::kDark    ? "dark"
+                                    : set.param == ColorSet::kLight ? "light"
+                                                                    : "contrast";
+                         });
+
+/// WCAG's enhanced contrast.
+TEST(HighContrast, TextAndEdgesStandOut) {
+    const Tokens tokens = readTokens(resourceBytes("style/tokens.json"), ColorSet::kContrast);
+    for (const QColor& text :
+         {tokens.t1, tokens.t2, tokens.t3, tokens.acc, tokens.ok, tokens.warn, tokens.err, tokens.edge})
+        for (const QColor& surface :
+             {tokens.bg, tokens.panel, tokens.raised, tokens.ctl, tokens.sel, tokens.view})
+            EXPECT_GE(contrast(text, surface), 7)
+                << text.name().toStdString() << " on " << surface.name().toStdString();
+}
 
 TEST(ReadTokens, namesTheColourThatIsMissing) {
     QByteArray json = resourceBytes("style/tokens.json");
     json.replace("\"okbg\"", "\"okgb\"");
     try {
-        readTokens(json, true);
+        readTokens(json, ColorSet::kDark);
         FAIL() << "a missing colour went unnoticed";
     } catch (const std::logic_error& error) {
         EXPECT_NE(std::string(error.what()).find("okbg"), std::string::npos) << error.what();
@@ -88,11 +104,11 @@ TEST(ReadTokens, namesWhatIsNoColour) {
     QByteArray json = resourceBytes("style/tokens.json");
     json.replace("#0E1116", "#0E11");
     json.replace("#151920", "blueish");
-    EXPECT_THROW(readTokens(json, true), std::logic_error);
+    EXPECT_THROW(readTokens(json, ColorSet::kDark), std::logic_error);
 }
 
 TEST(ReadTokens, understandsTransparency) {
-    const Tokens dark = readTokens(resourceBytes("style/tokens.json"), true);
+    const Tokens dark = readTokens(resourceBytes("style/tokens.json"), ColorSet::kDark);
     EXPECT_EQ(dark.scrim.red(), 6);
     EXPECT_NEAR(dark.scrim.alphaF(), 0.62, 0.01);
 }

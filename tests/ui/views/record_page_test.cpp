@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QComboBox>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPlainTextEdit>
@@ -113,6 +114,9 @@ TEST_F(RecordPageTest, SpaceRecordsAndStopsAndTheTakeOpensInReview) {
     ASSERT_TRUE(connectTo(box));
     EXPECT_TRUE(page_->showsSuit());
     EXPECT_EQ(bar().name().text(), "take_001");
+    for (const QComboBox* choice : page_->findChildren<QComboBox*>())
+        EXPECT_FALSE(choice->focusPolicy() & Qt::ClickFocus)
+            << "after a click into " << choice->accessibleName().toStdString() << " Space would open it";
     QSignalSpy steps(studio_.get(), &Studio::stepRequested);
     ASSERT_TRUE(recordFor(1));
     EXPECT_EQ(bar().button().state(), RecordButton::State::kRecording);

@@ -19,7 +19,7 @@ AttachDialog::AttachDialog(const TakeOverview& overview, const QString& path, QW
                   tr("Another system's recording of the same performance goes into the take."), tr("Attach"),
                   parent),
       path_(path),
-      is_positions_(isPositionsFile(path.toStdString())),
+      is_positions_(holdsPlacesOnly(path.toStdString())),
       has_reference_(overview.has_reference),
       has_external_root_(overview.has_external_root),
       has_result_(!overview.runs.empty()) {

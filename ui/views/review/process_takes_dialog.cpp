@@ -3,7 +3,9 @@
 
 #include <QListWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
+#include "core/recording/take.h"
 #include "ui/style/words.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
@@ -22,7 +24,7 @@ QString aboutProcessing(Studio& studio, bool with_actor) {
                                 "calibration that it was recorded with.")
                           : ProcessTakesDialog::tr(
                                 "Each take is processed as accurately as possible, with all sensors and the "
-                                "calibration “%1”.")
+                                "calibration “%1”; takes of several performers keep their own.")
                                 .arg(calibration)};
     if (with_actor)
         words << ProcessTakesDialog::tr("Takes of %1 get the bone lengths that this calibration found.")
@@ -31,11 +33,17 @@ QString aboutProcessing(Studio& studio, bool with_actor) {
     return words.join(' ');
 }
 
+/// Each performer of it has a calibration of their own in the take.
+bool isOfSeveral(const std::string& path) {
+    const auto take = Take::open(path);
+    const auto subjects = take ? take->subjects() : Result<std::vector<TakeSubject>>(take.error());
+    return subjects && std::ranges::count_if(*subjects, [](const TakeSubject& one) { return !one.room; }) > 1;
+}
+
 }  // namespace
 
 ProcessTakesDialog::ProcessTakesDialog(Studio& studio, std::optional<Actor> actor, QWidget* parent)
-    : DialogFrame(tr("Process takes again"), aboutProcessing(studio, actor.has_value()), tr("Process"),
-                  parent),
+    : DialogFrame(tr("Process takes"), aboutProcessing(studio, actor.has_value()), tr("Process"), parent),
       studio_(studio),
       actor_(std::move(actor)),
       takes_(new QListWidget) {
@@ -90,9 +98,11 @@ void ProcessTakesDialog::process() {
         if (!names.contains(QString::fromStdString(take.name)))
             continue;
         ProcessRequest request = Studio::accurateRequest(studio_.session().session().pathOf(take).string());
-        request.calibration = studio_.calibrations().inForce();
-        if (isOfPerformer(take))
-            request.actor = actor_;
+        if (!isOfSeveral(request.take_path)) {
+            request.calibration = studio_.calibrations().inForce();
+            if (isOfPerformer(take))
+                request.actor = actor_;
+        }
         requests.push_back(std::move(request));
     }
     studio_.processInTurn(std::move(requests));

@@ -29,7 +29,7 @@ struct Attached {
 
 /// Names of files that can be attached, as a file dialog has them.
 const QString& namePatterns() {
-    static const QString patterns = "*.bvh *.fbx *.glb *.gltf *.vrm *.dae *.csv";
+    static const QString patterns = "*.bvh *.fbx *.glb *.gltf *.vrm *.dae *.c3d *.trc *.csv";
     return patterns;
 }
 
@@ -66,7 +66,7 @@ ReferencePanel::ReferencePanel(ReviewContext& review, QWidget* parent)
     auto* buttons = addRow(column, 4);
     buttons->addWidget(attach_);
     buttons->addStretch();
-    absent_->setText(tr("A BVH or CSV of another system, to compare with."));
+    absent_->setText(tr("A motion, markers or positions of another system, to compare with."));
     compare_->setCheckable(true);
     connect(attach_, &QPushButton::clicked, this, &ReferencePanel::chooseFile);
     connect(compare_, &QToolButton::clicked, this, [this] {
@@ -137,9 +137,9 @@ QString ReferencePanel::whyNotAttached() const {
 void ReferencePanel::chooseFile() {
     if (!whyNotAttached().isEmpty())
         return;
-    const QString path = QFileDialog::getOpenFileName(
-        this, tr("Choose a recording of the same performance"), {},
-        tr("Motions and positions (%1)").arg(namePatterns()));
+    const QString path =
+        QFileDialog::getOpenFileName(this, tr("Choose a recording of the same performance"), {},
+                                     tr("Motions and positions (%1)").arg(namePatterns()));
     if (!path.isEmpty())
         ask(path);
 }
@@ -156,7 +156,7 @@ void ReferencePanel::attach(const AttachChoice& choice) {
         tr("Attaching %1 to %2").arg(QFileInfo(choice.path).fileName(), openTakeName(review_)),
         [take_path, choice](const JobContext& context) -> Result<Attached> {
             Attached attached;
-            auto request = readAttachment(choice.path.toStdString(), attached.warnings);
+            auto request = readAttachment(choice.path.toStdString(), attached.warnings, context);
             if (!request)
                 return request.error();
             request->take_path = take_path;

@@ -10,6 +10,7 @@
 #include "ui/views/report/full_report.h"
 #include "ui/views/report/report_panel.h"
 #include "ui/views/report/report_view.h"
+#include "ui/views/review/performer_switch.h"
 #include "ui/views/review/reprocess_dialog.h"
 #include "ui/views/review/review_actions.h"
 #include "ui/views/review/review_center.h"
@@ -148,15 +149,23 @@ void ReviewPage::compareWithEarlier() {
             studio_.take().setComparedRun(static_cast<int>(i));
 }
 
+bool ReviewPage::handleKey(const QKeyEvent& event) {
+    if (showsFullReport() || !studio_.take().isOpen())
+        return false;
+    if (event.key() != Qt::Key_P || event.modifiers() != Qt::ShiftModifier)
+        return center_->transport().handleKey(event);
+    PerformerSwitch::showNext(studio_.take());
+    return true;
+}
+
 void ReviewPage::keyPressEvent(QKeyEvent* event) {
-    if (showsFullReport() || !studio_.take().isOpen() || !center_->transport().handleKey(*event))
+    if (!handleKey(*event))
         Page::keyPressEvent(event);
 }
 
 /// Keys that nothing in a dock wanted come to its scroll areas and to itself last.
 bool ReviewPage::eventFilter(QObject* object, QEvent* event) {
-    if (event->type() == QEvent::KeyPress && studio_.take().isOpen() && !showsFullReport() &&
-        center_->transport().handleKey(*static_cast<QKeyEvent*>(event)))
+    if (event->type() == QEvent::KeyPress && handleKey(*static_cast<QKeyEvent*>(event)))
         return true;
     return Page::eventFilter(object, event);
 }

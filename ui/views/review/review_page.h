@@ -49,6 +49,7 @@ public slots:
     void process(const ProcessRequest& request);
 
 protected:
+    bool handleKey(const QKeyEvent& event);
     void keyPressEvent(QKeyEvent* event) override;
     bool eventFilter(QObject* object, QEvent* event) override;
 
