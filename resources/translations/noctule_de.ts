@@ -8545,6 +8545,14 @@ Median; gut: unter %1</translation>
         <source>%1 has no sensor</source>
         <translation>%1 hat keinen Sensor</translation>
     </message>
+    <message>
+        <source>It keeps its usual pose meanwhile. A board on it, or on what it carries, tells it.</source>
+        <translation>Die übliche Haltung bleibt so lange. Eine Platine darauf, oder auf dem, was daran hängt, erfasst es.</translation>
+    </message>
+    <message>
+        <source>%1 is less certain</source>
+        <translation>%1 ist weniger sicher</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::RigDrawing</name>
