@@ -57,23 +57,6 @@ ProblemWords jointProblem(const TakeVerdict& verdict) {
     words.time_s = verdict.worst_from_s.value_or(-1);
     words.title = Words::tr("%1 is off by %2")
                       .arg(title, degreesText(radiansOf(joint ? joint->mean_deg.value_or(0) : 0)));
-    words.text =
-        Words::tr("It keeps its usual pose meanwhile. A board on it, or on what it carries, tells it.");
-    return words;
-}
-
-ProblemWords supportProblem(const TakeVerdict& verdict, const TakeOverview& overview) {
-    if (!verdict.alone_joint.empty())
-        return aloneProblem(verdict);
-    if (verdict.worst_joint.empty())
-        return supportOfAll(verdict, overview);
-    const VerdictJoint* joint = jointOf(verdict, verdict.worst_joint);
-    ProblemWords words;
-    words.joint = QString::fromStdString(verdict.worst_joint);
-    words.action = Words::tr("Show %1").arg(jointName(verdict.worst_joint, NameCase::kInside));
-    words.time_s = verdict.worst_from_s.value_or(-1);
-    words.title = Words::tr("%1 is less certain").arg(jointName(verdict.worst_joint));
-    const QString share = percentText(joint ? joint->backed_by_ranges : 0);
     words.text = verdict.worst_from_s
                      ? Words::tr(
                            "Most of it after %1. Check whether the strap moved there; with in and out set "
@@ -112,6 +95,23 @@ ProblemWords aloneProblem(const TakeVerdict& verdict) {
                       ? Words::tr("%1 was told by no sensor for %2 of the time")
                             .arg(jointName(verdict.alone_joint), percentText(verdict.alone_share))
                       : Words::tr("%1 has no sensor").arg(jointName(verdict.alone_joint));
+    words.text =
+        Words::tr("It keeps its usual pose meanwhile. A board on it, or on what it carries, tells it.");
+    return words;
+}
+
+ProblemWords supportProblem(const TakeVerdict& verdict, const TakeOverview& overview) {
+    if (!verdict.alone_joint.empty())
+        return aloneProblem(verdict);
+    if (verdict.worst_joint.empty())
+        return supportOfAll(verdict, overview);
+    const VerdictJoint* joint = jointOf(verdict, verdict.worst_joint);
+    ProblemWords words;
+    words.joint = QString::fromStdString(verdict.worst_joint);
+    words.action = Words::tr("Show %1").arg(jointName(verdict.worst_joint, NameCase::kInside));
+    words.time_s = verdict.worst_from_s.value_or(-1);
+    words.title = Words::tr("%1 is less certain").arg(jointName(verdict.worst_joint));
+    const QString share = percentText(joint ? joint->backed_by_ranges : 0);
     words.text = verdict.worst_from_s
                      ? Words::tr(
                            "Ranges backed it %1 of the time, least from %2 on. In between it follows its "
