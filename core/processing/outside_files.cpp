@@ -15,11 +15,38 @@
 namespace noctule {
 namespace {
 
+/// Y or Z, for TRC files never say: a person reaches farthest along the vertical, and one marker is highest
+/// there.
+std::string likelyUp(const MarkerRecording& markers) {
+    Eigen::AlignedBox3d box(Vector3d::Zero());  // from the floor
+    for (const Vector3d& place : markers.p_m)
+        if (place.allFinite())
+            box.extend(place);
+    Eigen::AlignedBox3d means;
+    for (size_t m = 0; m < markers.names.size(); ++m) {
+        Vector3d sum = Vector3d::Zero();
+        double count = 0;
+        for (size_t row = 0; row < markers.rows(); ++row)
+            if (markers.at(row, m).allFinite())
+                sum += markers.at(row, m), count += 1;
+        if (count > 0)
+            means.extend(Vector3d(sum / count));
+    }
+    const Vector3d reach = markers.names.size() > 1 ? means.sizes() : Vector3d(box.max());
+    return reach.y() >= reach.z() ? "Y" : "Z";
+}
+
 Result<PositionTable> readMarkedJoints(const std::string& path, const JobContext& job) {
     const auto markers = readMarkers(path, job);
     if (!markers)
         return markers.error();
-    return jointsOfMarkers(*markers, nlohmann::json::object(), "", path);
+    const std::string up = markers->up.empty() ? likelyUp(*markers) : "";
+    auto joints = jointsOfMarkers(*markers, nlohmann::json::object(), up, path);
+    if (joints && !up.empty())
+        joints->warnings.push_back(std::filesystem::path(path).filename().string() +
+                                   " does not say which axis points up; " + up +
+                                   " was taken, along which its markers reach farthest.");
+    return joints;
 }
 
 std::string sentence(const std::string& path, const BvhWarning& warning) {

@@ -4045,6 +4045,10 @@
         <translation>%1 lässt sich nicht mit den anderen verbinden: während der Ruhehaltung passten zu wenige Entfernungen zu ihnen oder zum Raum. Diese Posen stehen für sich.</translation>
     </message>
     <message>
+        <source>%1 does not say which axis points up; %2 was taken, along which its markers reach farthest.</source>
+        <translation>%1 sagt nicht, welche Achse nach oben zeigt; %2 wurde genommen, längs der ihre Marker am weitesten reichen.</translation>
+    </message>
+    <message>
         <source>%1 led by the %2, %3: %4 commands, %5 following, %6 states</source>
         <translation>%1, geführt von %2, %3: %4 Befehle, davon %5 folgend, %6 Zustände</translation>
     </message>

@@ -67,6 +67,8 @@ TEST_F(OutsideFiles, TablesArePositions) {
     ASSERT_TRUE(marked) << marked.error().text();
     ASSERT_TRUE(marked->positions);
     EXPECT_EQ(marked->positions->joints, std::vector<std::string>{"Hips"});
+    EXPECT_NEAR(marked->positions->at(0, 0).y(), 1, 1e-9);
+    EXPECT_NE(warnings.back().find("Y was taken"), std::string::npos) << warnings.back();
 }
 
 TEST_F(OutsideFiles, WhatCannotBeReadIsNamed) {
