@@ -73,7 +73,9 @@ def check_export(take, folder):
 
 
 def check_points(take, folder):
-    limits = {"comocap": 13, "ms-comocap": 14, "environment": 16}
+    # environment hears nobody but the room: that microphone and source of a housing are 10 mm apart makes the clocks, and
+    # so its ranges, wrong by up to 11 us or 4 mm, which no range of a person's own evens out.
+    limits = {"comocap": 13, "ms-comocap": 14, "environment": 20}
     rms = {}
     for estimator, limit_mm in limits.items():
         table = folder / f"{estimator}.points"

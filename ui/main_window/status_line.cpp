@@ -169,7 +169,7 @@ void StatusLine::showJobs() {
         jobs_->setText(tr("%n job(s) finished", nullptr, unseen));
     else
         jobs_->setText(tr("No jobs running"));
-    jobs_->setTone(failed > 0 ? Tone::kError : Tone::kNeutral);
+    jobs_->setTone(failed > 0 && running == 0 ? Tone::kError : Tone::kNeutral);
     cancel_->setVisible(running == 1);
     cancel_->setAccessibleName(newest ? tr("Cancel %1").arg(newest->title()) : tr("Cancel"));
 }
