@@ -137,8 +137,7 @@ QWidget* RobotCenter::makePaths() {
 
 QWidget* RobotCenter::makeFoot() {
     auto* part = new QWidget;
-    auto* column = makeColumn(part, {16, 10, 16, 10}, 6);
-    auto* row = addRow(column);
+    auto* rows = makeGrid(part, {16, 10, 16, 10}, 6);
     record_ = makeButton(ButtonKind::kOutlined, tr("Record"), "record");
     play_ = makeButton(ButtonKind::kOutlined, tr("Play the take"), "play");
     repeats_ = makeButton(ButtonKind::kOutlined, tr("Join begin and end"), "loop");
@@ -146,9 +145,12 @@ QWidget* RobotCenter::makeFoot() {
     export_ = makeButton(ButtonKind::kOutlined, tr("Export commands"), "export");
     recorded_ = makeButton(ButtonKind::kOutlined, tr("Show what was recorded"), "chart");
     recorded_->setCheckable(true);
-    for (Button* button : {record_, play_, repeats_, export_, recorded_})
-        row->addWidget(button);
-    row->addStretch();
+    // In two rows: five in one would keep the page, and with it Stop, from being as narrow as its window.
+    constexpr int kColumns = 3;
+    Button* const buttons[] = {record_, play_, repeats_, export_, recorded_};
+    for (int i = 0; i < 5; ++i)
+        rows->addWidget(buttons[i], i / kColumns, i % kColumns);
+    rows->setColumnStretch(kColumns, 1);
     connect(record_, &QPushButton::clicked, this, &RobotCenter::toggleRecording);
     connect(recorded_, &QPushButton::clicked, this, [this] {
         since_paths_.invalidate();
