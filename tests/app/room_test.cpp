@@ -17,13 +17,13 @@ nlohmann::json parsed(const std::string& path) {
 /// One performer on the installed motion, below four anchors.
 class WalkBelowAnchors {
 public:
-    WalkBelowAnchors() {
+    explicit WalkBelowAnchors(const std::string& seconds) {
         std::ofstream(file("cast.json"))
             << R"({"subjects":[{"motion":")" + kMotion + R"(","suit":")" + kTransceivers +
                    R"(","place":{"x_m":0,"z_m":0,"yaw_deg":0}}],"room":")" + kCeiling + "\"}";
         const Ran made =
             batch({"simulate", "--cast", file("cast.json"), "--out", take(), "--level", "readings",
-                   "--scenario", "nominal", "--duration", "26", "--truth-out", file("truth.json")});
+                   "--scenario", "nominal", "--duration", seconds, "--truth-out", file("truth.json")});
         EXPECT_EQ(made.exit_code, 0) << made.err;
     }
     std::string file(const std::string& name) const { return folder_.file(name); }
@@ -58,7 +58,7 @@ private:
 
 TEST(RoomProgram, RoughPlacesAreReplacedByASurvey) {
     SKIP_WITHOUT_MOTION();
-    const WalkBelowAnchors walk;
+    const WalkBelowAnchors walk("26");
     const Ran spoiled = batch({"attach", walk.take(), "--room", walk.roughRoom(0.3)});
     ASSERT_EQ(spoiled.exit_code, 0) << spoiled.err;
     const double before_mm = walk.rootError_mm("rough");
@@ -91,7 +91,7 @@ TEST(RoomProgram, RoughPlacesAreReplacedByASurvey) {
 
 TEST(RoomProgram, TheRoomsFileIsARoomsFile) {
     SKIP_WITHOUT_MOTION();
-    const WalkBelowAnchors walk;
+    const WalkBelowAnchors walk("8");
     const std::string room = walk.file("room.json");
     const Ran surveyed = batch(
         {"calibrate", "room", walk.take(), "--out", room, "--force", "--store", "--height", "ceiling_1=2.7"});
