@@ -31,6 +31,17 @@ Result<TimedMotion> PoseSource::all() const {
     return motion;
 }
 
+Result<std::optional<int64_t>> PoseSource::begin_ns() const {
+    std::optional<int64_t> begin;
+    const Status walked = forEach([&begin](TimedPose&& frame) {
+        begin = frame.time_ns;
+        return false;
+    });
+    if (!walked)
+        return walked.error();
+    return begin;
+}
+
 PoseSource sourceOf(const TimedMotion& motion) {
     return {motion.skeleton, [&motion](const PoseSink& sink) -> Status {
                 for (TimedPose frame : motion.frames)

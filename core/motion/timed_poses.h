@@ -34,6 +34,8 @@ struct PoseSource {
     std::function<Status(const PoseSink&)> forEach;
 
     Result<TimedMotion> all() const;
+    /// Of its first frame; none: it has no frames.
+    Result<std::optional<int64_t>> begin_ns() const;
 };
 
 /// `motion` must outlive it.

@@ -38,12 +38,12 @@ RunSettings runSettings(const DerivedRun& pose_run, const std::vector<DerivedRun
     settings.ground = json::text(read, "ground").value_or("");
     settings.contacts_edited = json::text(read, "contacts").value_or("") == kContactsEdited;
     settings.root_given = json::text(read, "root") == "given";
-    const auto says = [&read](const char* key) {
-        return read.is_object() && read.contains(key) && read[key] == true;
+    const auto says = [&read](const char* member) {
+        return read.is_object() && read.value(member, json::Json()) == true;
     };
     settings.uses_room = says("room");
-    settings.people_apart = read.is_object() && read.contains("subjects") && read["subjects"].size() > 1 &&
-                            !settings.uses_room && !says("between");
+    settings.people_apart =
+        subjectsOf(pose_run).size() > 1 && !settings.root_given && !settings.uses_room && !says("between");
     settings.process_sigma_rad_per_s2 = json::number(read, "process_sigma_rad_per_s2");
     settings.inertial_run = runNumber(read, "inertial_run");
     if (!settings.inertial_run)
@@ -52,6 +52,20 @@ RunSettings runSettings(const DerivedRun& pose_run, const std::vector<DerivedRun
     if (!settings.range_run)
         settings.range_run = likelyRun("range", pose_run, runs, level);
     return settings;
+}
+
+std::vector<TakeSubject> subjectsOf(const DerivedRun& pose_run) {
+    std::vector<TakeSubject> subjects;
+    const json::Json settings = json::parse(pose_run.settings_json);
+    const auto list = settings.is_object() ? settings.find("subjects") : settings.end();
+    if (list != settings.end() && list->is_array())
+        for (const json::Json& entry : *list)
+            if (const auto suit = json::number(entry, "suit"); suit && *suit >= 1)
+                subjects.push_back(
+                    {json::text(entry, "name").value_or(""), {static_cast<int>(*suit)}, false});
+    if (subjects.empty())
+        subjects.push_back({"", {1}, false});
+    return subjects;
 }
 
 std::vector<DerivedRun> poseRuns(const std::vector<DerivedRun>& runs) {

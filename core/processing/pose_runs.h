@@ -18,13 +18,16 @@ struct RunSettings {
     bool contacts_edited = false;  ///< those of an operator were used, none were looked for
     bool root_given = false;
     bool uses_room = false;     ///< anchors held the world
-    bool people_apart = false;  ///< several people, whose places to each other nothing measured
+    bool people_apart = false;  ///< several people, whose places to each other are neither measured nor given
     std::optional<int64_t> inertial_run, range_run;  ///< what it was made from; kPrimaryRun: primary rows
     std::optional<double> process_sigma_rad_per_s2;  ///< estimator "paper"
 };
 
 /// `runs` are all of the take, in its order.
 RunSettings runSettings(const DerivedRun& pose_run, const std::vector<DerivedRun>& runs, TakeLevel level);
+
+/// Whom the run shows: suit 1 where its settings name nobody.
+std::vector<TakeSubject> subjectsOf(const DerivedRun& pose_run);
 
 /// In the order in which they were made.
 std::vector<DerivedRun> poseRuns(const std::vector<DerivedRun>& runs);

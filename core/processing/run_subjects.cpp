@@ -2,11 +2,9 @@
 #include "core/processing/run_subjects.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <limits>
 
-#include "core/math/json.h"
 #include "core/processing/export_motion.h"
 #include "core/processing/pose_runs.h"
 
@@ -23,22 +21,28 @@ std::string fileWord(std::string name) {
 }
 
 /// Of whoever is seen first.
-Result<double> firstPose_s(const ExportRequest& request, const std::vector<TakeSubject>& subjects) {
+Result<std::optional<double>> firstPose_s(const ExportRequest& request,
+                                          const std::vector<TakeSubject>& subjects) {
     const auto take = Take::open(request.take_path);
     if (!take)
         return take.error();
     const auto run = choosePoseRun(*take, request.run);
     if (!run)
         return run.error();
-    double first_s = std::numeric_limits<double>::infinity();
+    std::optional<double> first_s;
     for (const TakeSubject& subject : subjects) {
-        const auto poses = take->poses(run->run, subject.suit());
+        const auto poses = take->poseSource(run->run, subject.suit());
         if (!poses)
             return poses.error();
-        if (!poses->frames.empty())
-            first_s = std::min(first_s, static_cast<double>(poses->frames.front().time_ns) * 1e-9);
+        const auto begin_ns = poses->begin_ns();
+        if (!begin_ns)
+            return begin_ns.error();
+        if (*begin_ns) {
+            const double begin_s = static_cast<double>(**begin_ns) * 1e-9;
+            first_s = std::min(begin_s, first_s.value_or(begin_s));
+        }
     }
-    return std::isfinite(first_s) ? first_s : 0;
+    return first_s;
 }
 
 }  // namespace
@@ -113,17 +117,7 @@ Result<std::vector<TakeSubject>> subjectsOfRun(const std::string& take_path, con
     const auto chosen = choosePoseRun(*take, run);
     if (!chosen)
         return chosen.error();
-    std::vector<TakeSubject> subjects;
-    const json::Json settings = json::parse(chosen->settings_json);
-    const auto list = settings.is_object() ? settings.find("subjects") : settings.end();
-    if (list != settings.end() && list->is_array())
-        for (const json::Json& entry : *list)
-            if (const auto suit = json::number(entry, "suit"); suit && *suit >= 1)
-                subjects.push_back(
-                    {json::text(entry, "name").value_or(""), {static_cast<int>(*suit)}, false});
-    if (subjects.empty())
-        subjects.push_back({"", {1}, false});
-    return subjects;
+    return subjectsOf(*chosen);
 }
 
 }  // namespace noctule

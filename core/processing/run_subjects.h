@@ -16,7 +16,6 @@ std::string pathOfSubject(const std::string& path, const std::string& subject);
 
 /// The same export for each subject of its run; where there are several, files are called "walk_A.bvh"
 /// instead of "walk.bvh", and their frames are at the same instants: those of whoever is seen first go on.
-/// What a file's name cannot hold becomes an underscore.
 Result<std::vector<ExportRequest>> requestsOfSubjects(const ExportRequest& request);
 
 /// The same export with all subjects of its run as characters of one FBX or GLB file (exportStacks()), while

@@ -110,7 +110,7 @@ struct ReportData {
     std::vector<JointSupport> support;
     std::vector<std::pair<double, double>> gaps_s;  ///< without any signal; may overlap
     CalibrationLack lack;                           ///< of what the shown run was made with
-    bool people_apart = false;  ///< the shown run is of several, whose places to each other nothing measured
+    bool people_apart = false;                      ///< as in RunSettings, of the shown run
     std::vector<std::pair<std::string, NamedValues>>
         provenance;                     ///< headed lists: calibration, versions, ...
     std::vector<std::string> warnings;  ///< whole sentences found while reading or processing

@@ -152,5 +152,18 @@ TEST(RunSettings, MissingOnesAreGuessedFromTheRunsBefore) {
     EXPECT_EQ(runSettings(runOf(3, "pose", "not json"), {}, TakeLevel::kSignal).sensors, "AGD");
 }
 
+TEST(RunSettings, PeopleStandApartWhereNothingSaysWhereTheyAre) {
+    const auto apart = [](const std::string& suits, const std::string& rest) {
+        const DerivedRun run = runOf(1, "pose", R"({"subjects": [)" + suits + "]" + rest + "}");
+        return runSettings(run, {}, TakeLevel::kReadings).people_apart;
+    };
+    const std::string two = R"({"suit": 1}, {"suit": 2})";
+    EXPECT_TRUE(apart(two, ""));
+    EXPECT_TRUE(apart(two, R"(, "root": "free", "between": false, "room": false)"));
+    EXPECT_FALSE(apart(R"({"suit": 2})", ""));
+    for (const char* told : {R"(, "between": true)", R"(, "room": true)", R"(, "root": "given")"})
+        EXPECT_FALSE(apart(two, told)) << told;
+}
+
 }  // namespace
 }  // namespace noctule::test
