@@ -131,7 +131,7 @@ std::string virtualRobotManual() {
     text += heading("NAME") + "noctule\\-virtual\\-robot \\- a robot without hardware\n";
     text += heading("SYNOPSIS") +
             ".B noctule\\-virtual\\-robot\n\\-\\-robot \\fIR.urdf\\fR \\-\\-udp \\fIHOST:PORT\\fR | "
-            "\\-\\-ws \\fIHOST:PORT\\fR [\\fIOPTIONS\\fR]\n";
+            "\\-\\-rosbridge \\fIHOST:PORT\\fR [\\fIOPTIONS\\fR]\n";
     text += heading("DESCRIPTION") +
             "It behaves as the arms of a robot: it hears commands over UDP or as a rosbridge server, follows "
             "them\nwithin its own limits, and tells its state. It prints the addresses that\n"
