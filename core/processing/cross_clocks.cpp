@@ -62,17 +62,25 @@ SpeedOfSound soundOf(const Take& take, const Calibration& calibration) {
     return SpeedOfSound(calibration.sound, std::span(&mean, 1));
 }
 
-Result<CrossClocks> CrossClocks::of(const Take& take, const std::map<int, SuitClock>& lines) {
+Result<CrossClocks> CrossClocks::of(const Take& take, const TakeClocks& known) {
     CrossClocks clocks;
+    if (Status added = clocks.addSuits(take, known); !added)
+        return added.error();
+    if (Status found = clocks.findOtherClocks(take, known); !found)
+        return found.error();
+    return clocks;
+}
+
+Status CrossClocks::addSuits(const Take& take, const TakeClocks& known) {
     const std::string detector = detectorOf(take);
     for (const int id : take.suitIds()) {
         const auto suit = take.suit(id);
         if (!suit)
             return suit.error();
         const Calibration calibration = calibrationOf(take, id);
-        const auto line = lines.find(id);
-        SuitDelays delays{sampleRateOf(take, id), soundOf(take, calibration).at(0), take.suitClock(id),
-                          line == lines.end() ? take.suitClock(id) : line->second};
+        const SuitClock guess = take.suitClock(id);
+        SuitDelays delays{sampleRateOf(take, id), soundOf(take, calibration).at(0), guess,
+                          known.best(id, guess)};
         for (const Source& source : suit->sources) {
             const SourceCalibration* of = calibration.findSource(source.id);
             const auto offset = of ? of->offsets_s.find(detector) : decltype(of->offsets_s.end()){};
@@ -82,52 +90,54 @@ Result<CrossClocks> CrossClocks::of(const Take& take, const std::map<int, SuitCl
             const BoardCalibration* of = calibration.findBoard(board.id);
             delays.board_s.push_back(of ? of->mic_delay_s : 0);
         }
-        clocks.suits_[id] = std::move(delays);
+        suits_[id] = std::move(delays);
     }
-    struct Beyond {
-        std::vector<double> guess_m, line_m;  ///< of each range, what its distance is beyond its samples'
+    return Done{};
+}
+
+/// Distances by other clocks than the guess differ from their samples' flights by it.
+Status CrossClocks::findOtherClocks(const Take& take, const TakeClocks& known) {
+    struct Differences {
+        std::vector<double> by_guess_m, by_best_m;  ///< of stated distances from flights by these clocks
     };
-    std::map<std::pair<int, int>, Beyond> beyond;
+    std::map<std::pair<int, int>, Differences> differences;
     for (const int to : take.suitIds()) {
         size_t seen = 0;
         const Status walked = take.forEachCrossRange(kPrimaryRun, to, [&](const Take::CrossRange& cross) {
-            const SuitDelays &sent = clocks.suits_[cross.from_suit], &heard = clocks.suits_[to];
-            const double emission_s = static_cast<double>(cross.range.pulse_sample) / sent.rate_hz;
-            const double arrival_s = cross.range.arrival_sample / heard.rate_hz;
-            const double corrected_s =
-                (heard.line.takeTime_s(arrival_s) - heard.guess.takeTime_s(arrival_s)) -
-                (sent.line.takeTime_s(emission_s) - sent.guess.takeTime_s(emission_s));
-            Beyond& of = beyond[{cross.from_suit, to}];
-            of.guess_m.push_back(cross.range.distance_m -
-                                 sent.c_m_per_s * flight_s(sent, heard, cross.range));
-            of.line_m.push_back(of.guess_m.back() - sent.c_m_per_s * corrected_s);
+            const SuitDelays& from = suits_[cross.from_suit];
+            const auto difference_m = [&](SuitClock SuitDelays::*clock) {
+                return cross.range.distance_m -
+                       from.c_m_per_s * flight_s(from, suits_[to], cross.range, clock);
+            };
+            Differences& of = differences[{cross.from_suit, to}];
+            of.by_guess_m.push_back(difference_m(&SuitDelays::guess));
+            of.by_best_m.push_back(difference_m(&SuitDelays::best));
             return ++seen < kEnough;
         });
         if (!walked)
-            return walked.error();
+            return walked;
     }
-    const auto knows = [&](int suit) { return suit == kTakeTimeSuit || lines.contains(suit); };
-    for (auto& [pair, of] : beyond) {
-        const double guess_m = std::abs(median(std::move(of.guess_m)));
-        clocks.by_other_clocks_[pair] = knows(pair.first) && knows(pair.second)
-                                            ? std::abs(median(std::move(of.line_m))) < guess_m
-                                            : guess_m > kByOtherClocks_m;
+    for (auto& [pair, of] : differences) {
+        const double guess_m = std::abs(median(std::move(of.by_guess_m)));
+        by_other_clocks_[pair] = known.knows(pair.first) && known.knows(pair.second)
+                                     ? std::abs(median(std::move(of.by_best_m))) < guess_m
+                                     : guess_m > kByOtherClocks_m;
     }
-    return clocks;
+    return Done{};
 }
 
-double CrossClocks::flight_s(const SuitDelays& from, const SuitDelays& to, const RangeMeasurement& range) {
-    return to.guess.takeTime_s(range.arrival_sample / to.rate_hz) -
-           from.guess.takeTime_s(static_cast<double>(range.pulse_sample) / from.rate_hz) -
+double CrossClocks::flight_s(const SuitDelays& from, const SuitDelays& to, const RangeMeasurement& range,
+                             SuitClock SuitDelays::*clock) {
+    return (to.*clock).takeTime_s(range.arrival_sample / to.rate_hz) -
+           (from.*clock).takeTime_s(static_cast<double>(range.pulse_sample) / from.rate_hz) -
            from.source_s[static_cast<size_t>(range.source)] - to.board_s[static_cast<size_t>(range.board)];
 }
 
 double CrossClocks::byGuess_m(int from_suit, int to_suit, const RangeMeasurement& range,
                               double c_m_per_s) const {
     const auto other = by_other_clocks_.find({from_suit, to_suit});
-    return other != by_other_clocks_.end() && other->second
-               ? c_m_per_s * flight_s(suits_.at(from_suit), suits_.at(to_suit), range)
-               : range.distance_m;
+    return other != by_other_clocks_.end() && other->second ? c_m_per_s * flight_s(from_suit, to_suit, range)
+                                                            : range.distance_m;
 }
 
 }  // namespace noctule

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <functional>
 #include <set>
 
 #include "core/processing/cross_clocks.h"
@@ -216,19 +215,15 @@ private:
             return clocks.error();
         clocks_ = std::move(*clocks);
         for (Ingredients& in : subjects_)
-            if (const auto line = clocks_.lines.find(in.subject.suit()); line != clocks_.lines.end())
-                in.clock = line->second;
+            in.clock = clocks_.best(in.subject.suit(), in.clock);
         return Done{};
     }
 
     void addClock(int suit) {
-        const bool is_take_time = suit == kTakeTimeSuit;
-        const SuitClock guess = take_.suitClock(suit);
-        const auto line = clocks_.lines.find(suit);
-        const SuitClock best = line != clocks_.lines.end() ? line->second : guess;
+        const SuitClock guess = take_.suitClock(suit), best = clocks_.best(suit, guess);
         joining_.guesses.push_back(guess);
         joining_.clocks.push_back({best.offset_ns * 1e-9, best.rate});
-        const bool known = is_take_time || line != clocks_.lines.end();
+        const bool known = clocks_.knows(suit);
         // Against the first subject, whose clock is the common one.
         first_known_ = joining_.clock_known.empty() ? known : first_known_;
         joining_.clock_known.push_back(known && first_known_);
@@ -240,8 +235,7 @@ private:
             addClock(joining_.room->subject.suit());
         else
             joining_.clocks.push_back({}), joining_.clock_known.push_back(false);
-        const auto shared = take_.meta().find("clock_shared");
-        joining_.clocks_shared = shared != take_.meta().end() && shared->second == "1";
+        joining_.clocks_shared = clocksAreShared(take_);
     }
 
     /// Member of a suit; -1: none.
@@ -253,28 +247,23 @@ private:
                                                                       : -1;
     }
 
-    bool holds(const std::function<bool(const JointDistance&)>& wanted) const {
-        return std::ranges::any_of(joining_.distances, wanted);
-    }
-
     /// Anchors that nobody hears and that hear nobody join nothing; nor do people who do not hear each other.
     /// Fails where that was asked for; otherwise it is said, unless nothing at all is joined.
     Status leaveOutTheUnheard() {
         if (!joining_.joins())
             return Done{};
-        const auto room = static_cast<int>(subjects_.size());
-        const bool room_is_heard =
-            holds([room](const JointDistance& one) { return one.from == room || one.to == room; });
-        const bool people_are_heard =
-            holds([room](const JointDistance& one) { return one.from != room && one.to != room; });
+        const auto concerns_room = [room = static_cast<int>(subjects_.size())](const JointDistance& one) {
+            return one.from == room || one.to == room;
+        };
+        const bool room_is_heard = std::ranges::any_of(joining_.distances, concerns_room);
+        const bool people_are_heard = !std::ranges::all_of(joining_.distances, concerns_room);
         if (joining_.room && !room_is_heard) {
             if (request_.room == Wanted::kOn)
                 return unheard("no distances to its room", "--room off");
             if (people_are_heard)
                 warnings_.push_back(
                     "Nobody hears the anchors of the room, and they hear nobody: where people are in the "
-                    "room "
-                    "is not known. Check that the room's box sounded and has a calibration.");
+                    "room is not known. Check that the room's box sounded and has a calibration.");
             joining_.room.reset();
             joining_.guesses.pop_back();
             joining_.clocks.back() = {};
@@ -291,6 +280,7 @@ private:
         }
         return Done{};
     }
+
     Error unheard(const std::string& what, const std::string& option) const {
         return {ErrorKind::kUnusable, take_.path() + ": the take holds " + what,
                 "Check that they heard each other, or process with " + option};
@@ -300,7 +290,7 @@ private:
 
     Status readDistances() {
         const int room = static_cast<int>(subjects_.size());
-        auto clocks = CrossClocks::of(data(), clocks_.lines);
+        auto clocks = CrossClocks::of(data(), clocks_);
         if (!clocks)
             return clocks.error();
         made_by_ = std::move(*clocks);
@@ -373,21 +363,21 @@ private:
 
 }  // namespace
 
-size_t Joining::anchorsHeard() const {
+bool Joining::roomHoldsWorld() const {
     if (!room)
-        return 0;
+        return false;
     const auto member = static_cast<int>(guesses.size()) - 1;
+    const std::vector<int> housings = room->suit.housings();
     std::set<std::pair<bool, int>> heard;  ///< a source without a housing, else a board
     for (const JointDistance& one : distances) {
         if (one.to == member)
             heard.emplace(false, one.board);
         if (one.from != member)
             continue;
-        const std::string& board = room->suit.sources[static_cast<size_t>(one.source)].board;
-        const int housing = board.empty() ? -1 : room->suit.findBoard(board);
+        const int housing = housings[static_cast<size_t>(one.source)];
         heard.emplace(housing < 0, housing < 0 ? one.source : housing);
     }
-    return heard.size();
+    return heard.size() > 1;
 }
 
 Result<Joining> joinSubjects(Take& take, const ProcessRequest& request, std::vector<Ingredients>& subjects,

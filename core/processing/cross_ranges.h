@@ -33,8 +33,8 @@ struct Joining {
     std::optional<Take> measured;          ///< of a take of sound: its readings and ranges
 
     bool joins() const { return !distances.empty(); }
-    /// Places in the room that sound comes from or is heard at. One alone does not hold the world.
-    size_t anchorsHeard() const;
+    /// Two places in the room that sound comes from or is heard at; one alone does not tell how all turn.
+    bool roomHoldsWorld() const;
     /// Suit of a member.
     int suitOf(size_t member, const std::vector<Ingredients>& subjects) const {
         return member < subjects.size() ? subjects[member].subject.suit() : room->subject.suit();

@@ -13,7 +13,10 @@ class FlightReader {
 public:
     FlightReader(const Take& take, const std::vector<Ingredients>& subjects, const Joining& joining,
                  const RestAlignment& alignment, std::vector<std::string>& warnings)
-        : take_(take), subjects_(subjects), joining_(joining), alignment_(alignment), warnings_(warnings) {}
+        : take_(take), subjects_(subjects), joining_(joining), alignment_(alignment), warnings_(warnings) {
+        if (joining.room)
+            housings_ = joining.room->suit.housings();
+    }
 
     Result<std::vector<PointFlight>> read(const TakeClocks& clocks) {
         // A clock that follows its wander is better than a line; all members need one, for one common time.
@@ -30,8 +33,7 @@ public:
         if (!tracked && !joining_.clocks_shared)
             warnings_.push_back(
                 "The boxes' clocks are known from the rest pose alone, since no transceivers of all suits "
-                "hear "
-                "each other both ways: ranges between suits drift.");
+                "hear each other both ways: ranges between suits drift.");
         for (const JointDistance& distance : joining_.distances) {
             if (distance.confidence < kUsableConfidence || isMoved(distance))
                 continue;
@@ -61,10 +63,8 @@ private:
         int board = -1;
         if (static_cast<size_t>(distance.to) == room())
             board = distance.board;
-        if (static_cast<size_t>(distance.from) == room()) {
-            const std::string& id = joining_.room->suit.sources[static_cast<size_t>(distance.source)].board;
-            board = id.empty() ? -1 : joining_.room->suit.findBoard(id);
-        }
+        if (static_cast<size_t>(distance.from) == room())
+            board = housings_[static_cast<size_t>(distance.source)];
         return std::ranges::count(alignment_.moved_anchors, board) > 0;
     }
 
@@ -96,6 +96,7 @@ private:
     const Joining& joining_;
     const RestAlignment& alignment_;
     std::vector<std::string>& warnings_;
+    std::vector<int> housings_;                                   ///< of the room's sources
     std::vector<std::optional<cooperative::ClockTrack>> tracks_;  ///< per member; none: a line
     std::vector<PointFlight> flights_;
 };

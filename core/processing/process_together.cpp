@@ -59,10 +59,7 @@ Result<JointFilter::Room> roomOf(const RoomOfTake& room, const Ingredients& any,
     auto mounted = mountSuit(room.suit, room.calibration, any.actor, tree);
     if (!mounted)
         return mounted.error();
-    JointFilter::Room made{std::move(*mounted), {}, clock_known};
-    for (const Source& source : room.suit.sources)
-        made.housings.push_back(source.board.empty() ? -1 : room.suit.findBoard(source.board));
-    return made;
+    return JointFilter::Room{std::move(*mounted), room.suit.housings(), clock_known};
 }
 
 /// Everything that one subject's data go through.
@@ -195,6 +192,7 @@ private:
     }
 
     const Take& data() const { return joining_.measured ? *joining_.measured : take_; }
+    size_t indexOf(const Line& line) const { return static_cast<size_t>(&line - lines_.data()); }
 
     static Status nextReading(Line& line) {
         auto reading = line.readings->next();
@@ -211,9 +209,7 @@ private:
         return Done{};
     }
 
-    static void noteReading(Line& line, double suit_s, bool arrived) {
-        if (!arrived)
-            return;
+    static void noteReading(Line& line, double suit_s) {
         if (suit_s - line.heard_s > kSilent_s)
             line.silences.emplace_back(line.heard_s, suit_s);
         line.heard_s = suit_s;
@@ -228,10 +224,11 @@ private:
         while (line.reading && line.reading->sample < static_cast<double>(watermark)) {
             results_.summary.frames_seen += 1;
             results_.summary.frames_lost += line.reading->corrected_bits ? 0 : 1;
-            noteReading(line, line.reading->sample / rate_hz, line.reading->corrected_bits.has_value());
+            if (line.reading->corrected_bits)
+                noteReading(line, line.reading->sample / rate_hz);
             line.tracker->add(*line.reading);
             if (joining_.measured) {
-                results_.goOn(static_cast<size_t>(&line - lines_.data()));
+                results_.goOn(indexOf(line));
                 if (Status kept = results_.write(std::vector{*line.reading}); !kept)
                     return kept;
             }
@@ -250,7 +247,7 @@ private:
         if (line.watermark > 0)
             line.tracker->advanceTo(line.watermark);
         if (line.ended)
-            joint_->end(static_cast<size_t>(&line - lines_.data()));
+            joint_->end(indexOf(line));
         return Done{};
     }
 
@@ -344,7 +341,7 @@ private:
                 warnings.push_back(subjects_[i].subject.name +
                                    " cannot be joined to the others: while the rest pose was held, too few "
                                    "distances to them or to the room fit. These poses are their own.");
-        if (joining_.room && joining_.anchorsHeard() < 2)
+        if (joining_.room && !joining_.roomHoldsWorld())
             warnings.push_back(
                 "One anchor alone does not tell how everybody is turned about it: places and headings in the "
                 "room are guesses, those of people to each other are not. Hang up two more anchors.");
@@ -363,7 +360,7 @@ private:
     void warnOfSilence(Line& line) {
         if (line.heard_s == 0)
             return;  // it has ranges alone
-        noteReading(line, duration_s(*line.in), true);
+        noteReading(line, duration_s(*line.in));
         if (!line.silences.empty() && line.silences.front().first == 0)
             line.silences.erase(line.silences.begin());  // before its box began there are no poses
         for (const auto& [from_s, to_s] : line.silences) {
@@ -425,7 +422,7 @@ Result<bool> processTogether(Take& take, const ProcessRequest& request, const Tr
         return false;
     results.summary.together = ProcessSummary::Together{};
     results.summary.together->between = joining->between;
-    results.summary.together->room = joining->room && joining->anchorsHeard() > 1;
+    results.summary.together->room = joining->roomHoldsWorld();
     Together together(take, settings, subjects, std::move(*joining), results);
     if (Status run = together.run(request.select, job); !run)
         return run.error();

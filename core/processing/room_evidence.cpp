@@ -28,10 +28,8 @@ public:
         : suit_(std::move(suit)),
           motion_(std::move(motion)),
           tree_(motion_.skeleton, BallCoordinates::kManifold) {
-        for (const Source& source : in.suit.sources) {
-            const int board = source.board.empty() ? -1 : in.suit.findBoard(source.board);
+        for (const int board : in.suit.housings())
             housing_.push_back(board >= 0 ? board : std::ssize(suit_.boards) + std::ssize(housing_));
-        }
     }
 
     int count() const { return static_cast<int>(suit_.boards.size() + suit_.sources.size()); }
@@ -338,13 +336,12 @@ std::vector<std::pair<int, int>> anchorParts(const Suit& room) {
     std::vector<std::pair<int, int>> parts;
     for (size_t b = 0; b < room.boards.size(); ++b)
         parts.emplace_back(static_cast<int>(b), -1);
-    for (size_t s = 0; s < room.sources.size(); ++s) {
-        const int board = room.sources[s].board.empty() ? -1 : room.findBoard(room.sources[s].board);
-        if (board >= 0)
-            parts[static_cast<size_t>(board)].second = static_cast<int>(s);
+    const std::vector<int> housings = room.housings();
+    for (size_t s = 0; s < housings.size(); ++s)
+        if (housings[s] >= 0)
+            parts[static_cast<size_t>(housings[s])].second = static_cast<int>(s);
         else
             parts.emplace_back(-1, static_cast<int>(s));
-    }
     return parts;
 }
 

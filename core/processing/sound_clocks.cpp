@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/cooperative/coarse_clock.h"
+#include "core/processing/take_clocks.h"
 
 namespace noctule {
 namespace {
@@ -25,13 +26,12 @@ struct Stretch {
 
 /// By source: a board that is near it on the same suit.
 std::vector<int> boardsNear(const Suit& suit) {
-    std::vector<int> near;
-    for (const Source& source : suit.sources) {
-        int board = source.board.empty() ? -1 : suit.findBoard(source.board);
-        for (size_t b = 0; b < suit.boards.size() && board < 0 && !source.segment.empty(); ++b)
-            if (suit.boards[b].segment == source.segment)
-                board = static_cast<int>(b);
-        near.push_back(board);
+    std::vector<int> near = suit.housings();
+    for (size_t s = 0; s < near.size(); ++s) {
+        const std::string& segment = suit.sources[s].segment;
+        for (size_t b = 0; b < suit.boards.size() && near[s] < 0 && !segment.empty(); ++b)
+            if (suit.boards[b].segment == segment)
+                near[s] = static_cast<int>(b);
     }
     return near;
 }
@@ -44,8 +44,7 @@ public:
 
     Status run() {
         parties_.front().is_joined = true;
-        if (const auto shared = take_.meta().find("clock_shared");
-            shared != take_.meta().end() && shared->second == "1")
+        if (clocksAreShared(take_))
             for (SoundParty& party : parties_)
                 party.is_joined = true;
         for (bool any = true; any;) {  // from those that are joined to those that they hear

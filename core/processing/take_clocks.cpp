@@ -32,13 +32,11 @@ public:
             const auto suit = take_.suit(id);
             if (!suit)
                 return suit.error();
-            SuitOfFlights of{id, sampleRateOf(take_, id), {}, {}};
+            SuitOfFlights of{id, sampleRateOf(take_, id), suit->housings(), {}};
             of.board_has_source.assign(suit->boards.size(), 0);
-            for (const Source& source : suit->sources) {
-                of.housing_of_source.push_back(source.board.empty() ? -1 : suit->findBoard(source.board));
-                if (of.housing_of_source.back() >= 0)
-                    of.board_has_source[static_cast<size_t>(of.housing_of_source.back())] = 1;
-            }
+            for (const int housing : of.housing_of_source)
+                if (housing >= 0)
+                    of.board_has_source[static_cast<size_t>(housing)] = 1;
             const SuitClock clock = take_.suitClock(id);
             guesses.push_back({clock.offset_ns * 1e-9, clock.rate, suit->isFixed()});
             suits.push_back(std::move(of));
@@ -106,13 +104,17 @@ SuitClock lineOf(const cooperative::ClockTrack& track) {
 
 }  // namespace
 
+bool clocksAreShared(const Take& take) {
+    const auto shared = take.meta().find("clock_shared");
+    return shared != take.meta().end() && shared->second == "1";
+}
+
 Result<TakeClocks> joinClocks(const Take& take, const JobContext& job) {
     TakeClocks clocks;
     FlightsOfTake of(take);
     if (take.suitIds().size() < 2)
         return clocks;
-    if (const auto shared = take.meta().find("clock_shared");
-        shared != take.meta().end() && shared->second == "1") {
+    if (clocksAreShared(take)) {
         for (const int id : take.suitIds())
             clocks.lines[id] = SuitClock{};
         return clocks;

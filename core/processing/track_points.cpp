@@ -27,15 +27,6 @@ struct MemberPoints {
     std::vector<double> source_variance_m2;  ///< for the way to the housing's microphone
 };
 
-/// Per source of the room the board in its housing; -1: none.
-std::vector<int> housingsOf(const std::optional<RoomOfTake>& room) {
-    std::vector<int> housings;
-    if (room)
-        for (const Source& source : room->suit.sources)
-            housings.push_back(source.board.empty() ? -1 : room->suit.findBoard(source.board));
-    return housings;
-}
-
 class PointTracker {
 public:
     PointTracker(Take& take, const ProcessRequest& request, const PointsSink& sink)
@@ -99,6 +90,7 @@ private:
             members.push_back(std::move(member));
         }
         SuitModel anchors;
+        std::vector<int> housings;
         if (joining_.room) {
             const Actor& any = subjects_.front().actor;
             auto mounted = mountSuit(joining_.room->suit, joining_.room->calibration, any,
@@ -106,8 +98,9 @@ private:
             if (!mounted)
                 return mounted.error();
             anchors = std::move(*mounted);
+            housings = joining_.room->suit.housings();
         }
-        members.push_back(restingRoom(anchors, housingsOf(joining_.room)));
+        members.push_back(restingRoom(anchors, housings));
         members.back().clock_known = joining_.room && (joining_.clock_known.back() || joining_.clocks_shared);
         alignment_ = alignAtRest(members, joining_.distances, joining_.clocks, joining_.room.has_value());
         std::vector<Vector3d> places_m;
@@ -170,9 +163,10 @@ private:
             worn.push_back({in.suit.boards[b].segment, at_rest.microphones_m[b]});
             summary.points.push_back({in.subject.name, in.suit.boards[b].id, in.subject.suit(), false});
         }
+        const std::vector<int> housings = in.suit.housings();
         for (size_t s = 0; s < in.suit.sources.size(); ++s) {
             const Source& source = in.suit.sources[s];
-            const int board = source.board.empty() ? -1 : in.suit.findBoard(source.board);
+            const int board = housings[s];
             points.of_source.push_back(board >= 0 ? points.of_board[static_cast<size_t>(board)]
                                                   : static_cast<int>(places_m.size()));
             points.source_variance_m2.push_back(

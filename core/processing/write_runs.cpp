@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/live/estimators.h"
+
 namespace noctule {
 namespace {
 
@@ -150,8 +152,7 @@ Result<ResultRuns> compute(Take& take, const ProcessRequest& request, std::vecto
     if (!clocks)
         return clocks.error();
     for (Ingredients& in : *all)
-        if (const auto line = clocks->lines.find(in.subject.suit()); line != clocks->lines.end())
-            in.clock = line->second;
+        in.clock = clocks->best(in.subject.suit(), in.clock);
     subjects = std::move(*all);
     auto runs = ResultRuns::begin(take, request, subjects);
     if (!runs)

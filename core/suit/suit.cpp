@@ -152,6 +152,13 @@ int Suit::findSource(const std::string& id) const {
     return findId(sources, id);
 }
 
+std::vector<int> Suit::housings() const {
+    std::vector<int> boards_of_sources;
+    for (const Source& source : sources)
+        boards_of_sources.push_back(source.board.empty() ? -1 : findBoard(source.board));
+    return boards_of_sources;
+}
+
 nlohmann::json toJson(const Suit& suit) {
     nlohmann::json boards = nlohmann::json::array();
     for (const Board& board : suit.boards)

@@ -57,6 +57,7 @@ struct Suit {
     bool isFixed() const;
     int findBoard(const std::string& id) const;   ///< -1 when absent
     int findSource(const std::string& id) const;  ///< -1 when absent
+    std::vector<int> housings() const;            ///< per source the board in its housing; -1: none
 };
 
 nlohmann::json toJson(const Suit& suit);

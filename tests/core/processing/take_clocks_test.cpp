@@ -118,7 +118,7 @@ TEST(TakeClocks, DistancesByOtherClocksThanTheGuessAreNoticed) {
         const auto clocks = joinClocks(*take, {});
         ASSERT_TRUE(clocks && clocks->tracks.contains(2));
         EXPECT_NEAR(clocks->lines.at(2).offset_ns, kOffset_s * 1e9, 500);
-        const auto cross = CrossClocks::of(*take, clocks->lines);
+        const auto cross = CrossClocks::of(*take, *clocks);
         ASSERT_TRUE(cross) << cross.error().text();
         int seen = 0;
         ASSERT_TRUE(take->forEachCrossRange(kPrimaryRun, 2, [&](const Take::CrossRange& of) {

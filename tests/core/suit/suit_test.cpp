@@ -45,6 +45,10 @@ TEST(Suit, ReadsMembersAndDefaults) {
     EXPECT_EQ(suit->findBoard("anchor"), 1);
     EXPECT_EQ(suit->findBoard("nobody"), -1);
     EXPECT_EQ(suit->findSource("belly"), 0);
+    EXPECT_EQ(suit->housings(), std::vector<int>{-1});
+    Suit housed = *suit;
+    housed.sources[0].board = "anchor";
+    EXPECT_EQ(housed.housings(), std::vector<int>{1});
 }
 
 TEST(Suit, WriteReadEqual) {
