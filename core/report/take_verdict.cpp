@@ -124,8 +124,9 @@ private:
         verdict_.backed_share = sum / static_cast<double>(report_.support.size());
         if (comparison_ || is_uncalibrated_)
             return;
-        const Grade of_alone = alone.alone() >= kNeverTold
-                                   ? Grade::kUsable  // it has no sensor: the suit is of that kind
+        const bool alone_by_design = alone.alone() >= kNeverTold;
+        const Grade of_alone = alone_by_design
+                                   ? Grade::kUsable
                                    : gradeOf(alone.alone(), limits_.good_alone, limits_.usable_alone);
         Grade grade = of_alone;
         if (run_->sensors.find('D') == std::string::npos)
@@ -137,7 +138,8 @@ private:
             grade = std::max(grade, Grade::kUsable);
         if (of_alone != Grade::kGood && of_alone == grade) {
             verdict_.alone_joint = alone.joint;
-            verdict_.alone_share = alone.alone() >= kNeverTold ? 1 : alone.alone();
+            verdict_.alone_share = alone.alone();
+            verdict_.alone_by_design = alone_by_design;
         }
         charge(VerdictReason::kSupport, grade);
     }

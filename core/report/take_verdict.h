@@ -78,7 +78,8 @@ struct TakeVerdict {
     std::string worst_joint;
     /// The joint that no sensor told for most of the time, where that lowered the grade; empty: none.
     std::string alone_joint;
-    double alone_share = 0;                  ///< of the time; 1: it has no sensor and keeps its usual pose
+    double alone_share = 0;                  ///< of the time
+    bool alone_by_design = false;            ///< it has no sensor and keeps its usual pose
     std::optional<double> worst_from_s;      ///< from when on it was less certain, where that can be told
     std::vector<VerdictBoard> lossy_boards;  ///< that lost more than is good, worst first
     CalibrationLack lack;                    ///< of what the run was made with

@@ -38,11 +38,11 @@ std::string jointSentence(const Comparison& comparison, const std::string& worst
 }
 
 std::string supportSentence(const ReportData& data, const TakeVerdict& judged) {
-    if (!judged.alone_joint.empty() && judged.alone_share < 1)
+    if (judged.alone_by_design)
+        return bothNames(judged.alone_joint) + " has no sensor and keeps its usual pose.";
+    if (!judged.alone_joint.empty())
         return bothNames(judged.alone_joint) + " was told by no sensor for " +
                text::percent(judged.alone_share) + " of the time.";
-    if (!judged.alone_joint.empty())
-        return bothNames(judged.alone_joint) + " has no sensor and keeps its usual pose.";
     if (judged.worst_from_s)
         return bothNames(judged.worst_joint) + " is less certain from " + text::clock(*judged.worst_from_s) +
                " on: ranges stopped backing it. " + kDrift;
@@ -81,8 +81,7 @@ std::string reasonSentence(VerdictReason reason, const ReportData& data, const R
                    " s in one piece: the pose is a guess there.";
         case VerdictReason::kPeopleApart:
             return "Nothing measured where the performers stand to each other: no ranges between them or to "
-                   "a "
-                   "room were used. Their distance is a guess.";
+                   "a room were used. Their distance is a guess.";
         case VerdictReason::kNone:
         case VerdictReason::kMeanError:
         case VerdictReason::kBoardLost:

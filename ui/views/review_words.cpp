@@ -91,10 +91,10 @@ ProblemWords aloneProblem(const TakeVerdict& verdict) {
     ProblemWords words;
     words.joint = QString::fromStdString(verdict.alone_joint);
     words.action = Words::tr("Show %1").arg(jointName(verdict.alone_joint, NameCase::kInside));
-    words.title = verdict.alone_share < 1
-                      ? Words::tr("%1 was told by no sensor for %2 of the time")
-                            .arg(jointName(verdict.alone_joint), percentText(verdict.alone_share))
-                      : Words::tr("%1 has no sensor").arg(jointName(verdict.alone_joint));
+    words.title = verdict.alone_by_design
+                      ? Words::tr("%1 has no sensor").arg(jointName(verdict.alone_joint))
+                      : Words::tr("%1 was told by no sensor for %2 of the time")
+                            .arg(jointName(verdict.alone_joint), percentText(verdict.alone_share));
     words.text =
         Words::tr("It keeps its usual pose meanwhile. A board on it, or on what it carries, tells it.");
     return words;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "core/body/actor.h"
 #include "core/report/joint_support.h"
 #include "core/report/verdict.h"
 #include "core/suit/default_suit.h"
@@ -126,6 +127,18 @@ TEST_F(TakeVerdictTest, AJointThatNothingToldAboutLowersTheGrade) {
     report_.support[2].inertia = 1;  // a foot that no microphone heard
     EXPECT_EQ(verdict().grade, Grade::kGood);
     EXPECT_EQ(verdict().joints[2].grade, Grade::kUsable);
+}
+
+TEST_F(TakeVerdictTest, AJointWithoutSensorIsAloneByDesignAndUsable) {
+    JointSupport& support = report_.support[2];
+    support = {support.joint, 0, 0.9, {}, 0};
+    EXPECT_EQ(verdict().alone_joint, support.joint);
+    EXPECT_FALSE(verdict().alone_by_design);
+    EXPECT_NE(judge(report_).reasons[0].find("was told by no sensor for 10 %"), std::string::npos);
+    support.inertia = 0;
+    EXPECT_EQ(verdict().grade, Grade::kUsable);
+    EXPECT_TRUE(verdict().alone_by_design);
+    EXPECT_NE(judge(report_).reasons[0].find("has no sensor"), std::string::npos);
 }
 
 TEST_F(TakeVerdictTest, TooFewRangesOverallLowerTheGrade) {
