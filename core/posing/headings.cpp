@@ -109,13 +109,14 @@ ImuSamples samplesOf(const SensorTracks& tracks, size_t sensor) {
 
 class Problem {
 public:
-    Problem(const SensorTracks& tracks, const std::vector<SensorPair>& pairs, size_t standing,
-            const StatedHeadings& stated, const HeadingSettings& settings)
-        : tracks_(tracks), pairs_(pairs), stated_(stated), settings_(settings) {
+    Problem(const SensorTracks& tracks, const std::vector<SensorPair>& pairs,
+            const StandingHeadings& standing, const HeadingSettings& settings)
+        : tracks_(tracks), pairs_(pairs), stated_(standing.of_sensor), settings_(settings) {
         const double duration_s = double(tracks.size()) / tracks.rate_hz;
         knot_s_ = std::max(settings.knot_s, duration_s / kMostKnots);
         knots_ = size_t(std::ceil(duration_s / knot_s_)) + 1;
-        standing_ = std::min(knots_ - 1, size_t(std::lround(double(standing) / tracks.rate_hz / knot_s_)));
+        standing_ =
+            std::min(knots_ - 1, size_t(std::lround(double(standing.instant) / tracks.rate_hz / knot_s_)));
         x_ = Eigen::VectorXd::Zero(Eigen::Index(tracks.sensors.size() * (knots_ + 1) + 1));
     }
 
@@ -322,7 +323,7 @@ private:
 
     const SensorTracks& tracks_;
     const std::vector<SensorPair>& pairs_;
-    const StatedHeadings& stated_;
+    const std::vector<std::optional<StatedHeading>>& stated_;  ///< while standing
     HeadingSettings settings_;
     double knot_s_ = 1;
     size_t knots_ = 0, standing_ = 0;
@@ -339,9 +340,9 @@ Quaterniond Headings::turned(const SensorTracks& tracks, size_t sensor, size_t i
 }
 
 Result<Headings> agreeHeadings(const SensorTracks& tracks, const std::vector<SensorPair>& pairs,
-                               size_t standing, const StatedHeadings& stated, const HeadingSettings& settings,
+                               const StandingHeadings& standing, const HeadingSettings& settings,
                                const JobContext& job) {
-    Problem problem(tracks, pairs, standing, stated, settings);
+    Problem problem(tracks, pairs, standing, settings);
     if (Status gathered = problem.gather(job); !gathered)
         return gathered.error();
     problem.guess();

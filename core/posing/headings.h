@@ -38,12 +38,14 @@ struct Headings {
 struct StatedHeading {
     double heading_rad = 0, sigma_rad = 0;
 };
-/// Per sensor; none: its heading while standing must come from the movement.
-using StatedHeadings = std::vector<std::optional<StatedHeading>>;
+struct StandingHeadings {
+    size_t instant = 0;                                   ///< at which the body stands
+    std::vector<std::optional<StatedHeading>> of_sensor;  ///< none: it must come from the movement
+};
 
-/// The first sensor keeps its heading at `standing`. Errors: kCancelled alone.
+/// The first sensor keeps its heading at the instant of standing. Errors: kCancelled alone.
 Result<Headings> agreeHeadings(const SensorTracks& tracks, const std::vector<SensorPair>& pairs,
-                               size_t standing, const StatedHeadings& stated, const HeadingSettings& settings,
+                               const StandingHeadings& standing, const HeadingSettings& settings,
                                const JobContext& job);
 
 }  // namespace noctule::posing

@@ -141,8 +141,8 @@ Result<BodyMotion> poseBody(const Actor& actor, const SensorTracks& given,
     if (!rest && !out.standing.walks)
         out.warnings.push_back(
             "No walking was found: the performer is believed to stand upright in the first still second.");
-    const StatedHeadings stated = statedHeadings(actor, tracks, out.standing);
-    auto headings = agreeHeadings(tracks, pairs, out.standing.middle(), stated, settings.headings, job);
+    auto headings =
+        agreeHeadings(tracks, pairs, standingHeadings(actor, tracks, out.standing), settings.headings, job);
     if (!headings)
         return headings.error();
     const Mountings mountings = findMountings(actor, tracks, *headings, pairs, out.standing);

@@ -320,12 +320,13 @@ Pose standingPose(const Actor& actor, bool rest) {
     return pose;
 }
 
-StatedHeadings statedHeadings(const Actor& actor, const SensorTracks& tracks, const Standing& standing) {
-    StatedHeadings out(tracks.sensors.size());
+StandingHeadings standingHeadings(const Actor& actor, const SensorTracks& tracks, const Standing& standing) {
+    StandingHeadings out{standing.middle(), {}};
+    out.of_sensor.resize(tracks.sensors.size());
     if (!standing.marked)
         return out;
     const GlobalPose pose = globalPose(actor.skeleton, standingPose(actor, true));
-    for (size_t s = 0; s < out.size(); ++s) {
+    for (size_t s = 0; s < tracks.sensors.size(); ++s) {
         const SensorTrack& track = tracks.sensors[s];
         if (!track.mounting || !standsWith(track, standing))
             continue;
@@ -335,7 +336,8 @@ StatedHeadings statedHeadings(const Actor& actor, const SensorTracks& tracks, co
             meanAttitude(track, standing, [&](size_t i) { return track.q_world_sensor[i]; }).conjugate();
         const double tilt_rad = std::acos(std::clamp((turn * Vector3d::UnitY()).y(), -1.0, 1.0));
         if (tilt_rad < kMostTilted_rad)
-            out[s] = {2 * std::atan2(turn.y(), turn.w()), std::hypot(track.mounting->sigma_rad, tilt_rad)};
+            out.of_sensor[s] = {2 * std::atan2(turn.y(), turn.w()),
+                                std::hypot(track.mounting->sigma_rad, tilt_rad)};
     }
     return out;
 }

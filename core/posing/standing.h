@@ -23,9 +23,9 @@ Standing findStanding(const SensorTracks& tracks);
 /// Upright, arms hanging, palms to the thighs, faces Z; `rest`: in the actor's rest pose.
 Pose standingPose(const Actor& actor, bool rest);
 
-/// Of a marked rest pose and the mountings that the tracks state; a sensor that is inclined otherwise than
-/// its mounting says is believed the less.
-StatedHeadings statedHeadings(const Actor& actor, const SensorTracks& tracks, const Standing& standing);
+/// At the middle of `standing`. Headings are stated by a marked rest pose and the tracks' mountings; a sensor
+/// that is inclined otherwise than its mounting says is believed the less.
+StandingHeadings standingHeadings(const Actor& actor, const SensorTracks& tracks, const Standing& standing);
 
 struct Mountings {
     std::vector<Quaterniond> q_segment_sensor;  ///< per sensor
