@@ -148,7 +148,8 @@ void JointFilter::advance(bool ended) {
         stepBody(first);
         double until_s = now_s(first);
         for (size_t i = 0; i < bodies_.size(); ++i)
-            until_s = isOver(i) ? until_s : std::min(until_s, now_s(i));
+            if (!isOver(i))
+                until_s = std::min(until_s, now_s(i));
         useDistances(until_s + 0.5 * filter(first).stepSeconds());
     }
     if (!ended)

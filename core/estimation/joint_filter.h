@@ -78,7 +78,7 @@ public:
     /// Of the vector from a joint of one body to a joint of another, in the frame of the first one's root,
     /// m^2.
     Matrix3d relativeCovariance(size_t body, int joint, size_t other, int other_joint);
-    /// Common time that all bodies have reached.
+    /// Common time that all bodies have reached; those that are over stay where they ended.
     double reached_s() const;
 
     /// For judging: covariances between bodies and the place of each member's states.
@@ -108,7 +108,7 @@ private:
 
     size_t room() const { return bodies_.size(); }
     double now_s(size_t body) const;  ///< common time
-    bool isOver(size_t body) const;   ///< its last step was made
+    bool isOver(size_t body) const;   ///< all of it has been given, and its last step was made
     void layOut();
     void begin();
     std::vector<RestingMember> restingMembers() const;

@@ -33,10 +33,13 @@ ArrowheadSystem::ArrowheadSystem(int nodes, int node_size, int border_size)
 }
 
 /// J_a^T W J_b to where it belongs, unless that lies above the diagonal: nothing reads it there.
-void ArrowheadSystem::addPair(const ResidualBlock& residuals, const ColumnBlock& a,
-                              const Matrix3d& transposed, const ColumnBlock& b) {
+void ArrowheadSystem::addPair(const ResidualBlock& residuals, const ColumnBlock& a, const Matrix3d& JtW_a,
+                              const ColumnBlock& b) {
+    if (a.border && !b.border)
+        return;
     Eigen::MatrixXd* into = &corner_;
     int row = a.first, column = b.first;
+    bool is_symmetric = true;
     if (!a.border) {
         const int node_a = a.first / node_size_, node_b = b.border ? node_a : b.first / node_size_;
         if (node_a < node_b)
@@ -48,18 +51,15 @@ void ArrowheadSystem::addPair(const ResidualBlock& residuals, const ColumnBlock&
                                       : &node.after_next;
         row = a.first % node_size_;
         column = b.border ? b.first : b.first % node_size_;
-    } else if (!b.border) {
-        return;
+        is_symmetric = into == &node.own;
     }
-    const bool is_symmetric = into == &corner_ || (!b.border && a.first / node_size_ == b.first / node_size_);
     if (is_symmetric && row + a.width <= column)
         return;
-    const double* JtW_a = transposed.data();
     double* target = into->data() + column * into->rows() + row;
     for (int j = 0; j < b.width; ++j, target += into->rows()) {
         double sum[3];
         for (int i = 0; i < 3; ++i)
-            sum[i] = JtW_a[i] * b.J(0, j) + JtW_a[3 + i] * b.J(1, j) + JtW_a[6 + i] * b.J(2, j);
+            sum[i] = JtW_a(i, 0) * b.J(0, j) + JtW_a(i, 1) * b.J(1, j) + JtW_a(i, 2) * b.J(2, j);
         for (int i = 0; i < a.width; ++i)
             target[i] += sum[i];
     }
@@ -68,15 +68,15 @@ void ArrowheadSystem::addPair(const ResidualBlock& residuals, const ColumnBlock&
 void ArrowheadSystem::add(const ResidualBlock& residuals) {
     for (const ColumnBlock& a : residuals.columns) {
         // What stands below `rows` is zero.
-        const Matrix3d weighted = a.J.transpose() * residuals.weight.asDiagonal();
-        const Vector3d gradient = weighted * residuals.residual;
+        const Matrix3d JtW_a = a.J.transpose() * residuals.weight.asDiagonal();
+        const Vector3d gradient = JtW_a * residuals.residual;
         if (a.border)
             border_gradient_.segment(a.first, a.width) += gradient.head(a.width);
         else
             node_gradient_.col(residuals.first_node + a.first / node_size_)
                 .segment(a.first % node_size_, a.width) += gradient.head(a.width);
         for (const ColumnBlock& b : residuals.columns)
-            addPair(residuals, a, weighted, b);
+            addPair(residuals, a, JtW_a, b);
     }
 }
 

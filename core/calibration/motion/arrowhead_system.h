@@ -53,7 +53,7 @@ private:
         Eigen::MatrixXd own, next, after_next;
         Eigen::MatrixXd border;  ///< node size x border
     };
-    void addPair(const ResidualBlock& residuals, const ColumnBlock& a, const Matrix3d& weighted_a,
+    void addPair(const ResidualBlock& residuals, const ColumnBlock& a, const Matrix3d& JtW_a,
                  const ColumnBlock& b);
     bool eliminate(int node);
     void shrinkCorner();
