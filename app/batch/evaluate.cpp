@@ -190,7 +190,33 @@ Status addSubjects(const VerbContext& context, EvaluateRequest request,
                                           fixed(comparison->root.position_m, 3) + " m"
                                     : std::string("no reference")) +
                         (in_room->empty() ? "" : "; " + *in_room) + "\n";
+        data->take.performer = subject.name;
         reports.push_back({subject.name, std::move(*data)});
+    }
+    return Done{};
+}
+
+Status writeEvaluationPage(const VerbContext& context, const std::string& path, const std::string& html,
+                           Outcome& outcome) {
+    if (Status written = writeFileAtomically(path, html, context.arguments.given("overwrite")); !written)
+        return written;
+    outcome.json["report"] = path;
+    outcome.text += "report                " + path + "\n";
+    return Done{};
+}
+
+/// The first performer's page is at `path`, those of the others are beside it.
+Status writeOtherPages(const VerbContext& context, const std::string& path,
+                       const std::vector<SubjectReport>& reports, Outcome& outcome) {
+    for (size_t i = 1; i < reports.size(); ++i) {
+        const auto& [subject, data] = reports[i];
+        const std::string own_path = pathOfSubject(path, subject);
+        if (Status written =
+                writeFileAtomically(own_path, htmlReport(data), context.arguments.given("overwrite"));
+            !written)
+            return written;
+        outcome.json["reports_of_others"].push_back(own_path);
+        outcome.text += "report of " + subject + ", " + own_path + "\n";
     }
     return Done{};
 }
@@ -202,8 +228,7 @@ Result<Outcome> runEvaluatePoints(const VerbContext& context) {
         if (arguments.given(name))
             return Error{ErrorKind::kUsage,
                          "--" + std::string(name) +
-                             " does not go with --points, which are compared with the "
-                             "take's own reference",
+                             " does not go with --points, which are compared with the take's own reference",
                          "Leave it out"};
     const std::string take = arguments.operands()[0], report_path = arguments.text("report");
     const std::vector<std::string> tables = arguments.texts("points");
@@ -238,14 +263,11 @@ Result<Outcome> runEvaluatePoints(const VerbContext& context) {
             "; NEES " + fixed(found->nees) + "\n";
         all.push_back(std::move(*found));
     }
-    if (!report_path.empty()) {
-        if (Status written = writeFileAtomically(report_path, pointsReport(takeName(take), tables, all),
-                                                 arguments.given("overwrite"));
+    if (!report_path.empty())
+        if (Status written =
+                writeEvaluationPage(context, report_path, pointsReport(takeName(take), tables, all), outcome);
             !written)
             return written.error();
-        outcome.json["report"] = report_path;
-        outcome.text += "report                " + report_path + "\n";
-    }
     return outcome;
 }
 
@@ -311,19 +333,10 @@ Result<Outcome> runEvaluate(const VerbContext& context) {
         context.console.progress(0.9, "Writing the report");
         if (subjects->size() > 1)
             data->take.performer = subjects->front().name;
-        if (Status written = writeFileAtomically(report_path, htmlReport(*data), overwrite); !written)
+        if (Status written = writeEvaluationPage(context, report_path, htmlReport(*data), outcome); !written)
             return written.error();
-        outcome.json["report"] = report_path;
-        outcome.text += "report                " + report_path + "\n";
-        // The others have pages of their own beside it.
-        for (size_t i = 1; i < reports.size(); ++i) {
-            const std::string path = pathOfSubject(report_path, reports[i].subject);
-            reports[i].data.take.performer = reports[i].subject;
-            if (Status written = writeFileAtomically(path, htmlReport(reports[i].data), overwrite); !written)
-                return written.error();
-            outcome.json["reports_of_others"].push_back(path);
-            outcome.text += "report of " + reports[i].subject + ", " + path + "\n";
-        }
+        if (Status written = writeOtherPages(context, report_path, reports, outcome); !written)
+            return written.error();
     }
     if (!csv_path.empty()) {
         if (reports.empty())

@@ -125,8 +125,7 @@ void warnOfMatchedSegments(const Comparison& comparison, const Skeleton& skeleto
         data.warnings.push_back(
             "The reference has other axes or another rest pose, and its bones do not show how " +
             std::to_string(count) +
-            " segments are turned. That was taken from the run: constant errors of "
-            "these are not counted: " +
+            " segments are turned. That was taken from the run: constant errors of these are not counted: " +
             joints + ".");
     const size_t moving = static_cast<size_t>(
         std::ranges::count_if(comparison.matched, [](const MatchedJoint& joint) { return joint.moves; }));
@@ -266,27 +265,25 @@ Status addQuality(const Take& take, const DerivedRun& run, const RunSettings& se
     return Done{};
 }
 
-Status addRun(const Take& take, const DerivedRun& run, const RunSettings& settings, bool is_shown,
-              const Reference& reference, ReportData& data) {
-    const auto motion = take.poseSource(run.run);
+/// Runs but the shown one may be of somebody else: they stay without a comparison.
+Status compareRun(const Take& take, int64_t run, const Reference& reference, ReportRun& described,
+                  ReportData& data) {
+    const auto motion = take.poseSource(run);
     if (!motion)
         return motion.error();
-    ReportRun described = describeRun(take, run, settings);
-    if (reference.there) {
-        auto comparison = compareMotions(*motion, reference.motion, reference.options);
-        if (!comparison && is_shown)
-            return comparison.error();
-        if (comparison) {  // another run may be of somebody else
-            for (MatchedJoint& joint : comparison->matched)
-                if (const auto name = reference.names.find(joint.reference_name);
-                    name != reference.names.end())
-                    joint.reference_name = name->second;
-            if (data.runs.empty())
-                warnOfMatchedSegments(*comparison, motion->skeleton, data);
-            described.comparison = std::move(*comparison);
-        }
-    }
-    data.runs.push_back(std::move(described));
+    if (!reference.there)
+        return Done{};
+    auto comparison = compareMotions(*motion, reference.motion, reference.options);
+    if (!comparison && described.is_shown)
+        return comparison.error();
+    if (!comparison)
+        return Done{};
+    for (MatchedJoint& joint : comparison->matched)
+        if (const auto name = reference.names.find(joint.reference_name); name != reference.names.end())
+            joint.reference_name = name->second;
+    if (data.runs.empty())
+        warnOfMatchedSegments(*comparison, motion->skeleton, data);
+    described.comparison = std::move(*comparison);
     return Done{};
 }
 
@@ -348,20 +345,20 @@ Result<ReportData> evaluateTake(const EvaluateRequest& request, const JobContext
         if (job.cancelled())
             return JobContext::cancelledError();
         job.progress(0.5 * static_cast<double>(i) / static_cast<double>(runs.size()), "Comparing runs");
-        const RunSettings settings = runSettings(runs[i], *all_runs, take.level());
-        const bool is_shown = runs[i].run == shown->run;
-        if (Status added = addRun(take, runs[i], settings, is_shown, *reference, data); !added)
-            return added.error();
-        data.runs.back().is_shown = is_shown;
+        ReportRun run = describeRun(take, runs[i], runSettings(runs[i], *all_runs, take.level()));
+        run.is_shown = runs[i].run == shown->run;
+        if (Status compared = compareRun(take, runs[i].run, *reference, run, data); !compared)
+            return compared.error();
+        data.runs.push_back(std::move(run));
     }
     reference->motion = {};  // not needed any more; an hour of it is some 500 MB
     if (runs.size() > 1)
         if (Status added = addDistances(take, runs, *shown, job, data); !added)
             return added.error();
-    if (Status added = addQuality(take, *shown, runSettings(*shown, *all_runs, take.level()), data, job);
-        !added)
+    const RunSettings settings = runSettings(*shown, *all_runs, take.level());
+    if (Status added = addQuality(take, *shown, settings, data, job); !added)
         return added.error();
-    data.people_apart = runSettings(*shown, *all_runs, take.level()).people_apart;
+    data.people_apart = settings.people_apart;
     for (const SkippedRows& skipped : take.skippedRows())
         data.warnings.push_back(std::to_string(skipped.count) + " rows of " + skipped.table +
                                 " could not be used, first " + skipped.first + ".");
