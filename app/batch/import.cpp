@@ -254,19 +254,15 @@ Verb importVerb() {
                         .orElse("names")};
     verb.remarks = {
         "Kinds: MATLAB level 5 (BROAD, qmt), MVNX, MT Manager's text (one file per sensor), x-IMU3 (folders "
-        "or "
-        ".ximu3), OpenSense .sto, and any table with --map.",
+        "or .ximu3), OpenSense .sto, and any table with --map.",
         "Sensors, rates, units, axes and gaps are shown before the take is made. Units are checked by what "
         "gravity shows; every conversion and assumption is said.",
         "--map-template writes {\"sensors\": [{\"id\": \"42268\", \"segment\": null}]}: write the segments, "
-        "and give "
-        "the file with --map.",
+        "and give the file with --map.",
         "--assign auto tells by walking or free movement of ten seconds and more which of 7, 8 or 16 sensors "
-        "sits "
-        "where, however it is mounted and turned.",
+        "sits where, however it is mounted and turned.",
         "The maker's own attitudes become a run of kind orientation; an optical system's or MVN's result "
-        "becomes "
-        "the reference."};
+        "becomes the reference."};
     verb.run = runImport;
     return verb;
 }

@@ -35,14 +35,12 @@ std::vector<Option> photographOptions() {
 std::vector<std::string> photographRemarks() {
     return {
         "Photographs: print the sheet at 100 % and stick each marker so that its middle lies over the middle "
-        "of "
-        "the source's face, of a board over its microphone's opening. Take it off while sound is recorded, "
-        "or "
-        "punch a small hole in its middle, of at most an eighth of its side. Photograph every placement from "
-        "two sides at least, better four to six, with one camera, without zoom, sharp and not too bright; "
-        "each "
-        "photograph shows markers that others show too, and some show sources and boards together. Nothing "
-        "moves meanwhile. Expect 0.5 to 1 mm; print larger markers when they are less than 40 pixels wide.",
+        "of the source's face, of a board over its microphone's opening. Take it off while sound is "
+        "recorded, or punch a small hole in its middle, of at most an eighth of its side. Photograph every "
+        "placement from two sides at least, better four to six, with one camera, without zoom, sharp and not "
+        "too bright; each photograph shows markers that others show too, and some show sources and boards "
+        "together. Nothing moves meanwhile. Expect 0.5 to 1 mm; print larger markers when they are less than "
+        "40 pixels wide.",
         "Example: noctule --batch calibrate sources --print-markers sheet.svg",
         "Example: noctule --batch calibrate sources jig_001.noctule --photos 1_a.jpg 1_b.jpg 2_a.jpg 2_b.jpg "
         "--marker-mm 39.8 --out suit.json"};

@@ -274,8 +274,7 @@ Verb robotVerb() {
         verb.options.push_back(std::move(option));
     verb.remarks = {
         "Commands keep the limits of place and speed, and those of acceleration and jerk that the profile "
-        "names. "
-        "A limit that the URDF leaves out is assumed and said: check it before a robot moves.",
+        "names. A limit that the URDF leaves out is assumed and said: check it before a robot moves.",
         "Arms brake when capsules around the robot's own parts come nearer than the profile's clearance."};
     verb.run = runRobot;
     return verb;

@@ -8,8 +8,7 @@ const ParameterTable<PaperParameters>& paperParameters() {
     static const ParameterTable<P> kTable{
         {kPaperProcessSigma, "rad/s^2", 1e-6, 1e6, at(&P::process_sigma_rad_per_s2),
          "Process noise: standard deviation of the change of a joint's acceleration per frame. Larger: "
-         "faster "
-         "motion is followed, less is smoothed.",
+         "faster motion is followed, less is smoothed.",
          "Vlasic 2007, equation 1 and section 5.2"},
         {"gyro_sigma", "rad/s", 1e-6, 10, at(&P::gyro_sigma_rad_per_s),
          "Standard deviation of a gyroscope's reading.", "Vlasic 2007, section 5.2"},

@@ -23,8 +23,7 @@ const ParameterTable<PointSetup>& pointTable() {
          "Welch 2018, equations 17 to 24; greedy: ours"},
         {"letter", "switch", 0, 1, at(&S::letter),
          "1: the paper to the letter. Unused ranges shrink the covariance, covariances between reference "
-         "users "
-         "are dropped, the share is by ratio.",
+         "users are dropped, the share is by ratio.",
          "Welch 2018, section 3"},
         {"initial.place_sigma", "m", 1e-4, 10, at(&S::start_m),
          "Initial standard deviation of each point about the rest pose, per axis.", "-"},

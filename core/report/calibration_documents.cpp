@@ -274,8 +274,7 @@ CalibrationTable motionBoards(const MotionReport& report) {
     CalibrationTable table{
         "Boards",
         "How each sits on its segment. A turn that no movement shows keeps the sigma that the rest pose "
-        "leaves "
-        "it: of hands, feet and head, and of a limb about its own bone.",
+        "leaves it: of hands, feet and head, and of a limb about its own bone.",
         {"board", "turned, °", "sigma about x y z, °", "axes seen", "place, sigma, mm", "tissue, °"},
         {}};
     for (const BoardInMotion& board : report.boards)

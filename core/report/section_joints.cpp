@@ -103,8 +103,8 @@ std::string jointsSection(const ReportData& data) {
     body += html::note(
         "Half of the time a joint errs less than its median, 95 % of the time less than the value so headed. "
         "NEES compares the errors with what the filter says about them: 1 is honest, more is too sure. "
-        "Position "
-        "is that of the joint in the frame of the pelvis, so it gathers the errors of all joints above.");
+        "Position is that of the joint in the frame of the pelvis, so it gathers the errors of all joints "
+        "above.");
     for (const JointCurve& curve : c.curves) {
         body +=
             html::heading(text::jointLabel(curve.name) + " against the reference") + "<div class=\"scroll\">";

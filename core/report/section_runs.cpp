@@ -136,8 +136,7 @@ std::string distancesTable(const ReportData& data) {
     return html::table(table) +
            html::note(
                "The angle between a joint's two orientations, in the mean and below what it is for 95 % of "
-               "the "
-               "time. The shown run is " +
+               "the time. The shown run is " +
                text::escaped(shown->name) + ". Which of two runs is right only a reference tells.");
 }
 

@@ -216,8 +216,7 @@ private:
                  "The photographs do not fit together: " + fixed(fit_.sigma_px, 1) +
                      " px per corner, 0.3 px is usual",
                  "Take them sharp, with one camera and without zoom, markers flat and all of one size, "
-                 "nothing "
-                 "moved between those of one placement");
+                 "nothing moved between those of one placement");
     }
 
     void takeDistances() {

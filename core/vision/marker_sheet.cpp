@@ -93,8 +93,7 @@ std::string head(const Suit& suit, double marker_mm, size_t page, size_t pages) 
                      std::to_string(page + 1) + " of " + std::to_string(pages)) +
            words(x, 25, kText_mm,
                  "Print at 100 % (\"actual size\"), on matt paper. If the line below is not 100 mm long, "
-                 "give the "
-                 "side measured on") +
+                 "give the side measured on") +
            words(x, 29.5, kText_mm,
                  "the paper as --marker-mm instead of " + side +
                      ". Cut along the grey lines, keep the white margin, stick on flat card.") +

@@ -81,6 +81,13 @@ private:
     int output_ = -1;
 };
 
+/// Waits until it says so, half a minute at most.
+bool says(const Started& program, const char* words) {
+    for (int i = 0; i < 600 && program.error().find(words) == std::string::npos; ++i)
+        usleep(50'000);
+    return program.error().find(words) != std::string::npos;
+}
+
 /// On a free port, 60 ms late.
 Beside virtualRobot(const std::string& urdf, const std::string& profile, const std::string& interface) {
     return {"noctule-virtual-robot",
@@ -239,14 +246,9 @@ TEST_P(DriveVerbOnce, ARobotThatFellSilentIsAFailure) {
     std::ranges::copy(words(robot.address), std::back_inserter(all));
     all.insert(all.end(), {"--hold", "--repeat", "--seconds", "60", "--json"});
     Started drive(all);
-    const auto says = [&](const char* words) {
-        for (int i = 0; i < 600 && drive.error().find(words) == std::string::npos; ++i)
-            usleep(50'000);
-        return drive.error().find(words) != std::string::npos;
-    };
-    ASSERT_TRUE(says("Now ")) << drive.error();
+    ASSERT_TRUE(says(drive, "Now ")) << drive.error();
     robot.stall();
-    ASSERT_TRUE(says("The robot")) << drive.error();
+    ASSERT_TRUE(says(drive, "The robot")) << drive.error();
     usleep(1'500'000);
     drive.send(SIGINT);
     const Ran ran = drive.wait();
@@ -281,15 +283,10 @@ TEST_P(DriveVerb, ALiveSuitLeadsAndTheRobotHoldsWhenItIsLost) {
                    "--out",         file("d.csv"),
                    "--seconds",     "60",
                    "--json"});
-    const auto says = [&](const char* words) {
-        for (int i = 0; i < 600 && drive.error().find(words) == std::string::npos; ++i)
-            usleep(50'000);
-        return drive.error().find(words) != std::string::npos;
-    };
-    const bool followed = says("Now following");
+    const bool followed = says(drive, "Now following");
     usleep(500'000);
     suit.end(SIGKILL);
-    ASSERT_TRUE(says("No fresh pose")) << drive.error();
+    ASSERT_TRUE(says(drive, "No fresh pose")) << drive.error();
     usleep(200'000);
     drive.send(SIGINT);
     const auto driven = drive.wait().json();

@@ -50,14 +50,12 @@ AboutDialog::AboutDialog(const std::string& software, QWidget* parent) : QDialog
                    TextRole::kBody, Ink::kLabel))
             ->wrapped());
     column->addWidget(
-        (new Label(
-             tr("Noctule itself is free under the Apache License 2.0. It is linked with Qt and Qwt under the "
-                "LGPL; whoever passes the program on passes on their terms too: both libraries may be "
-                "replaced "
-                "by other versions of them. Noctule links no library under the GPL itself; OpenCV writes "
-                "films with ffmpeg, which Debian builds with parts under the GPL: passed on together, "
-                "the whole is under the terms of the GPL."),
-             TextRole::kBody, Ink::kLabel))
+        (new Label(tr("Noctule itself is free under the Apache License 2.0. It is linked with Qt and Qwt "
+                      "under the LGPL; whoever passes the program on passes on their terms too: both "
+                      "libraries may be replaced by other versions of them. Noctule links no library under "
+                      "the GPL itself; OpenCV writes films with ffmpeg, which Debian builds with parts under "
+                      "the GPL: passed on together, the whole is under the terms of the GPL."),
+                   TextRole::kBody, Ink::kLabel))
             ->wrapped());
     column->addWidget(new SectionHeader(tr("What it is made of")));
     column->addWidget(new ScrollArea(licenceList()), 1);

@@ -63,8 +63,7 @@ QString SessionModel::whyNotHere() const {
     if (!isOpen() || QFileInfo::exists(QString::fromStdString(session_->folder.string())))
         return {};
     return tr("The folder of the session, %1, is not there any more. Put it back; what you change meanwhile "
-              "is "
-              "kept here and saved then.")
+              "is kept here and saved then.")
         .arg(QString::fromStdString(session_->folder.string()));
 }
 

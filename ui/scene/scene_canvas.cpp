@@ -59,8 +59,7 @@ QString SceneCanvas::missing() {
                                              .arg(offered.version.second)
                                        : tr("This computer offers no OpenGL.");
     return tr("The 3D view needs OpenGL 3.3. %1 Install the driver of the graphics card; plots, processing "
-              "and "
-              "export work without it.")
+              "and export work without it.")
         .arg(found);
 }
 

@@ -298,11 +298,9 @@ Verb driveVerb() {
         verb.options.push_back(std::move(option));
     verb.remarks = {
         "Without --hold, lines on standard input are the keys: engage, accept, release, stop, reset. The end "
-        "of "
-        "the input lets the dead man's key go.",
+        "of the input lets the dead man's key go.",
         "The robot holds when no fresh pose or no state of the robot comes for 0.1 s. A command is the last "
-        "one "
-        "and at most speed times period.",
+        "one and at most speed times period.",
         "A disk that is full or a take that another program holds never stops the robot; what could not be "
         "recorded is said at the end. `inspect` lists recorded drives, `export` writes them.",
         "Legs are not driven: they keep the robot's balance, and that is its own controller's.",

@@ -40,8 +40,7 @@ std::vector<RecordProblems::Problem> RecordProblems::ofTake() const {
             {Tone::kError,
              tr("The disk has %1 left").arg(durationWords(std::max(0.0, *recording->remaining_s))),
              tr("Recording stops by itself then, and the take is complete. Free some space, or choose "
-                "another "
-                "folder."),
+                "another folder."),
              -1,
              {},
              {}});

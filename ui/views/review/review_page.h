@@ -49,11 +49,11 @@ public slots:
     void process(const ProcessRequest& request);
 
 protected:
-    bool handleKey(const QKeyEvent& event);
     void keyPressEvent(QKeyEvent* event) override;
     bool eventFilter(QObject* object, QEvent* event) override;
 
 private:
+    bool handleKey(const QKeyEvent& event);  ///< false: the key means nothing here
     void refresh();
     void tellTitles();
     void compareWithEarlier();
