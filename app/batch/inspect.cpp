@@ -28,53 +28,32 @@ std::string percent(double share) {
     return text;
 }
 
-std::string headText(const TakeInspection& in) {
-    const std::string kind = in.level == TakeLevel::kReadings ? "readings" : "sound";
-    char duration[64];
-    std::snprintf(duration, sizeof duration, "%.2f s at %lld Hz", in.duration_s,
-                  static_cast<long long>(in.header.sample_rate_hz));
-    return in.path + "\n" +
-           line("take", in.header.name + ", " + in.header.take_kind + ", " +
-                            (in.state.empty() ? "state unknown" : in.state) + ", made " +
-                            in.header.created_utc + " by " + in.header.software) +
-           line("performer", in.performer) + line("duration", duration) +
-           line("suit", in.suit_name + (in.suit_name.empty() ? "" : ": ") +
-                            counted(static_cast<int64_t>(in.boards.size()), "boards, ") +
-                            counted(static_cast<int64_t>(in.sources.size()), "sources")) +
-           line("calibration", in.calibration) + line("actor", in.actor) +
-           line(kind, in.level == TakeLevel::kReadings
-                          ? counted(in.pulses, "pulses")
-                          : counted(in.blocks, "blocks, ") + counted(in.hole_samples, "samples missing, ") +
-                                counted(in.pulses, "pulses")) +
-           line("reference", in.reference_frames == 0
-                                 ? ""
-                                 : counted(in.reference_frames, "frames, ") + in.reference_kind) +
+template <class Rows>
+auto listed(const Rows& rows) {
+    return std::span(rows).first(std::min(rows.size(), limits::kListedRows));
+}
+
+std::string ofReference(const SuitInspection& in, const std::string& kind) {
+    return line("reference", in.reference_frames == 0 ? ""
+                                                      : counted(in.reference_frames, "frames") +
+                                                            (kind.empty() ? "" : ", " + kind)) +
            line("external root", in.external_root_rows == 0 ? "" : counted(in.external_root_rows, "rows"));
 }
 
-std::string suitText(const SuitSummary& suit) {
-    char carrier[32];
-    std::snprintf(carrier, sizeof carrier, "%.1f kHz", suit.carrier_hz / 1000);
-    const std::string who = suit.room              ? "the room"
-                            : suit.subject.empty() ? "nobody"
-                                                   : "subject " + suit.subject;
-    return line("suit " + std::to_string(suit.suit),
-                who + (suit.name.empty() ? "" : ", '" + suit.name + "'") + ": " +
-                    counted(static_cast<int64_t>(suit.boards), "boards, ") +
-                    counted(static_cast<int64_t>(suit.sources), "sources at ") + carrier + ", " +
-                    counted(suit.blocks, "blocks, ") + counted(suit.pulses, "pulses, ") +
-                    counted(suit.status_rows, "status rows, ") +
-                    counted(suit.reference_frames, "reference frames, ") +
-                    counted(suit.external_root_rows, "external root rows"));
+std::string ofSound(const SuitInspection& in, TakeLevel level) {
+    return level == TakeLevel::kReadings ? line("readings", counted(in.pulses, "pulses"))
+                                         : line("sound", counted(in.blocks, "blocks, ") +
+                                                             counted(in.hole_samples, "samples missing, ") +
+                                                             counted(in.pulses, "pulses"));
 }
 
-std::string rowsText(const TakeInspection& in) {
+std::string countsOf(const SuitInspection& in) {
+    return counted(std::ssize(in.boards), "boards, ") + counted(std::ssize(in.sources), "sources");
+}
+
+/// Gaps and markers.
+std::string timedRowsText(const SuitInspection& in) {
     std::string text;
-    const auto listed = [](const auto& rows) {
-        return std::span(rows).first(std::min(rows.size(), limits::kListedRows));
-    };
-    for (const SuitSummary& suit : in.suits)
-        text += suitText(suit);
     for (const GapRow& gap : listed(in.gaps))
         text += line("gap", counted(gap.sample_count, "samples from ") + std::to_string(gap.first_sample) +
                                 (gap.board ? ", board " + std::to_string(*gap.board + 1) : ", all boards") +
@@ -82,6 +61,28 @@ std::string rowsText(const TakeInspection& in) {
     for (const MarkerRow& marker : listed(in.markers))
         text +=
             line("marker", marker.kind + " " + marker.label + " at sample " + std::to_string(marker.sample));
+    return text;
+}
+
+/// Of a take with several suits each says the rest itself.
+std::string headText(const TakeInspection& in) {
+    char duration[64];
+    std::snprintf(duration, sizeof duration, "%.2f s at %lld Hz", in.duration_s,
+                  static_cast<long long>(in.header.sample_rate_hz));
+    const std::string text = in.path + "\n" +
+                             line("take", in.header.name + ", " + in.header.take_kind + ", " +
+                                              (in.state.empty() ? "state unknown" : in.state) + ", made " +
+                                              in.header.created_utc + " by " + in.header.software) +
+                             line("performer", in.performer) + line("duration", duration);
+    if (!in.suits.empty())
+        return text + line("suits", counted(std::ssize(in.suits), "suits"));
+    return text + line("suit", in.suit_name + (in.suit_name.empty() ? "" : ": ") + countsOf(in)) +
+           line("calibration", in.calibration) + line("actor", in.actor) + ofSound(in, in.level) +
+           ofReference(in, in.reference_kind) + timedRowsText(in);
+}
+
+std::string rowsText(const TakeInspection& in) {
+    std::string text;
     for (const NoteRow& note : listed(in.notes))
         text += line("note", note.text);
     for (const DriveSummary& drive : listed(in.drives))
@@ -92,7 +93,7 @@ std::string rowsText(const TakeInspection& in) {
     return text;
 }
 
-std::string boardsText(const TakeInspection& in) {
+std::string boardsText(const SuitInspection& in) {
     std::string text;
     for (const WireQuality& wire : in.wires)
         if (wire.silent || wire.clipped > 0)
@@ -118,7 +119,7 @@ std::string boardsText(const TakeInspection& in) {
 }
 
 /// Share of the pulses heard: boards down, sources across.
-std::string pairsText(const TakeInspection& in) {
+std::string pairsText(const SuitInspection& in) {
     if (in.pairs.empty())
         return "";
     char cell[64];
@@ -140,13 +141,30 @@ std::string pairsText(const TakeInspection& in) {
     return text + "\n";
 }
 
+std::string suitText(const SuitSummary& suit, const TakeInspection& in) {
+    char carrier[32];
+    std::snprintf(carrier, sizeof carrier, " at %.1f kHz", suit.carrier_hz / 1000);
+    const std::string who = suit.room              ? "the room"
+                            : suit.subject.empty() ? "nobody"
+                                                   : "subject " + suit.subject;
+    return "\n" +
+           line("suit " + std::to_string(suit.suit),
+                who + (suit.suit_name.empty() ? "" : ", '" + suit.suit_name + "'") + ": " + countsOf(suit) +
+                    carrier) +
+           line("calibration", suit.calibration) + line("actor", suit.actor) + ofSound(suit, in.level) +
+           line("status", suit.status.empty() ? "" : counted(std::ssize(suit.status), "rows")) +
+           ofReference(suit, in.reference_kind) + timedRowsText(suit) + boardsText(suit) + pairsText(suit);
+}
+
 std::string inspectionText(const TakeInspection& in) {
     std::string text = headText(in) + rowsText(in);
     for (const std::string& missing : in.missing)
         text += line("missing", missing);
     for (const std::string& problem : in.problems)
         text += line("problem", problem);
-    return text + boardsText(in) + pairsText(in);
+    for (const SuitSummary& suit : in.suits)
+        text += suitText(suit, in);
+    return in.suits.empty() ? text + boardsText(in) + pairsText(in) : text;
 }
 
 Result<Outcome> runInspect(const VerbContext& context) {

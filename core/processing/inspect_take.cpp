@@ -2,9 +2,9 @@
 #include "core/processing/inspect_take.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/job/limits.h"
-#include "core/math/json.h"
 #include "core/processing/ingredients.h"
 #include "core/processing/take_quality.h"
 #include "core/report/range_statistics.h"
@@ -14,46 +14,53 @@ namespace {
 
 constexpr int kClipped = 32767;
 
-class Inspector {
+/// What is wrong with a take, every sentence once.
+class Problems {
 public:
-    Inspector(const Take& take, const JobContext& job) : take_(take), job_(job) {}
-
-    Result<TakeInspection> inspect() {
-        readHead();
-        readRows();
-        readDrives();
-        listen();
-        judgeBoards();
-        judgePairs();
-        if (job_.cancelled())
-            return JobContext::cancelledError();
-        for (const auto& [rows, what] :
-             {std::pair(in_.gaps.size(), "gaps"), std::pair(in_.markers.size(), "markers"),
-              std::pair(in_.notes.size(), "notes"), std::pair(in_.runs.size(), "runs")})
-            if (rows > limits::kListedRows)
-                in_.problems.push_back("Of " + std::to_string(rows) + " " + what + " only the first " +
-                                       std::to_string(limits::kListedRows) + " are listed.");
-        for (const SkippedRows& skipped : take_.skippedRows())
-            in_.problems.push_back(std::to_string(skipped.count) + " rows of " + skipped.table +
-                                   " could not be used, first " + skipped.first + ".");
-        return std::move(in_);
+    void add(const std::string& problem) {
+        if (std::ranges::find(all_, problem) == all_.end())
+            all_.push_back(problem);
     }
-
-private:
-    /// The value, or nothing and a problem noted (once).
+    /// The value, or nothing and a problem noted.
     template <class T>
     std::optional<T> keep(Result<T> result) {
         if (result)
             return std::move(*result);
-        const std::string problem = result.error().text() + ".";
-        if (std::find(in_.problems.begin(), in_.problems.end(), problem) == in_.problems.end())
-            in_.problems.push_back(problem);
+        add(result.error().text() + ".");
         return std::nullopt;
     }
+    const std::vector<std::string>& all() const { return all_; }
 
-    std::string meta(const char* key) const {
-        const auto found = take_.meta().find(key);
-        return found == take_.meta().end() ? "" : found->second;
+private:
+    std::vector<std::string> all_;
+};
+
+/// Looks at the suit that is in view. `who` begins sentences that are true of one suit only; `share` is its
+/// part of the work, from 0 to 1.
+class SuitInspector {
+public:
+    SuitInspector(const Take& take, const std::vector<DerivedRun>& runs, std::string who,
+                  std::pair<double, double> share, Problems& problems, const JobContext& job)
+        : take_(take),
+          runs_(runs),
+          who_(std::move(who)),
+          share_(std::move(share)),
+          problems_(problems),
+          job_(job) {}
+
+    SuitInspection inspect() {
+        readDocuments();
+        readRows();
+        listen();
+        judgeBoards();
+        judgePairs();
+        return std::move(in_);
+    }
+
+private:
+    template <class T>
+    std::optional<T> keep(Result<T> result) {
+        return problems_.keep(std::move(result));
     }
 
     /// The last document in force, read to see that it is one.
@@ -61,7 +68,7 @@ private:
     std::string inForce(const Result<std::vector<DocumentRow>>& rows,
                         Result<Stored<T>> (Take::*read)(int) const) {
         const auto documents = keep(rows);
-        if (!documents || documents->empty())
+        if (!documents || std::ranges::count(*documents, take_.viewed(), &DocumentRow::suit) == 0)
             return "";
         const auto document = keep((take_.*read)(kSuitInView));
         if (!document)
@@ -73,16 +80,11 @@ private:
         return text;
     }
 
-    void readHead() {
-        in_.path = take_.path();
-        in_.header = take_.header();
-        in_.state = meta("state");
-        in_.performer = meta("performer");
-        in_.level = take_.level();
-        in_.missing = keep(take_.missingParts()).value_or(std::vector<std::string>{});
+    void readDocuments() {
         const int64_t samples = keep(take_.sampleCount()).value_or(0);
-        if (in_.header.sample_rate_hz > 0)
-            in_.duration_s = static_cast<double>(samples) / static_cast<double>(in_.header.sample_rate_hz);
+        if (take_.header().sample_rate_hz > 0)
+            in_.duration_s =
+                static_cast<double>(samples) / static_cast<double>(take_.header().sample_rate_hz);
         if (!take_.suitIds().empty())
             suit_ = keep(take_.suit());
         if (suit_) {
@@ -104,40 +106,25 @@ private:
         calibration_ = stored ? stored->value : nominalCalibration(*suit_);
         in_.lack = lackOfTake(take_, *suit_, calibration_);
         if (gradeOf(in_.lack, "AGD") == Grade::kNotUsable)
-            in_.problems.push_back("Not usable: " + lackClause(in_.lack));
+            problems_.add(who_ + "Not usable: " + lackClause(in_.lack));
         else if (!in_.lack.isNone())
-            in_.problems.push_back(lackSentence(in_.lack));
+            problems_.add(who_ + lackSentence(in_.lack));
     }
 
     void readRows() {
         in_.pulses = static_cast<int64_t>(keep(take_.pulses()).value_or(std::vector<Pulse>{}).size());
         in_.gaps = keep(take_.gaps()).value_or(std::vector<GapRow>{});
         in_.markers = keep(take_.markers()).value_or(std::vector<MarkerRow>{});
-        in_.notes = keep(take_.notes()).value_or(std::vector<NoteRow>{});
         in_.status = keep(take_.statusRows()).value_or(std::vector<StatusRow>{});
-        in_.runs = keep(take_.derivedRuns()).value_or(std::vector<DerivedRun>{});
-        if (const auto reference = keep(take_.reference()))
-            in_.reference_frames = static_cast<int64_t>(reference->frames.size());
-        if (in_.reference_frames > 0)
-            in_.reference_kind = meta("reference_kind");
+        if (keep(take_.hasRows("reference")).value_or(false))
+            if (const auto reference = keep(take_.reference()))
+                in_.reference_frames = std::ssize(reference->frames);
         if (const auto root = keep(take_.externalRoot()))
-            in_.external_root_rows = static_cast<int64_t>(root->size());
-        if (in_.state == "recording")
-            in_.problems.push_back(
-                "The take was never closed: it is being recorded, or the recording was cut short.");
-    }
-
-    void readDrives() {
-        for (const RobotDriveRow& row : keep(take_.robotDrives()).value_or(std::vector<RobotDriveRow>{})) {
-            if (job_.cancelled() || in_.drives.size() >= limits::kListedRows)
-                return;
-            if (const auto drive = keep(readRecordedDrive(take_, row.drive)))
-                in_.drives.push_back(summaryOf(*drive));
-        }
+            in_.external_root_rows = std::ssize(*root);
     }
 
     void listen() {
-        if (in_.level != TakeLevel::kSignal)
+        if (take_.level() != TakeLevel::kSignal)
             return;
         const auto boards = static_cast<size_t>(keep(take_.boardCount()).value_or(0));
         if (boards == 0)
@@ -152,10 +139,11 @@ private:
             ++in_.blocks;
             in_.block_samples += samples;
             listen(block.values);
-            if (in_.duration_s > 0)
-                job_.progress(static_cast<double>(end) / static_cast<double>(in_.header.sample_rate_hz) /
-                                  in_.duration_s,
-                              "Listening");
+            if (in_.duration_s > 0) {
+                const double part = static_cast<double>(end) /
+                                    static_cast<double>(take_.header().sample_rate_hz) / in_.duration_s;
+                job_.progress(std::lerp(share_.first, share_.second, part), "Listening");
+            }
             return !job_.cancelled();
         }));
     }
@@ -175,16 +163,16 @@ private:
     /// The last run of a kind; of readings takes without one the primary rows.
     std::optional<int64_t> lastRun(const char* kind) const {
         std::optional<int64_t> last;
-        if (in_.level == TakeLevel::kReadings)
+        if (take_.level() == TakeLevel::kReadings)
             last = kPrimaryRun;
-        for (const DerivedRun& run : in_.runs)
+        for (const DerivedRun& run : runs_)
             if (run.kind == kind)
                 last = run.run;
         return last;
     }
 
     void judgeBoards() {
-        if (const auto run = lastRun("inertial"); run && suit_)
+        if (const auto run = lastRun("inertial"); run && suit_ && !suit_->isFixed())
             in_.board_quality =
                 keep(boardQuality(take_, *suit_, calibration_, *run)).value_or(std::vector<ReportBoard>{});
     }
@@ -207,154 +195,94 @@ private:
     }
 
     const Take& take_;
+    const std::vector<DerivedRun>& runs_;
+    std::string who_;
+    std::pair<double, double> share_;
+    Problems& problems_;
     const JobContext& job_;
-    TakeInspection in_;
+    SuitInspection in_;
     std::optional<Suit> suit_;
     Calibration calibration_;  ///< in force, else the nominal one
 };
 
-template <class Rows>
-int64_t sizeOf(const Result<Rows>& rows, std::vector<std::string>& problems) {
-    if (rows)
-        return std::ssize(*rows);
-    problems.push_back(rows.error().text() + ".");
-    return 0;
+std::string metaText(const Take& take, const char* key) {
+    const auto found = take.meta().find(key);
+    return found == take.meta().end() ? "" : found->second;
 }
 
-/// The suit that is in view.
-SuitSummary summariseSuit(const Take& take, std::vector<std::string>& problems) {
-    SuitSummary summary;
-    summary.suit = take.viewed();
-    summary.carrier_hz = take.header().drive_hz;
-    if (const auto suit = take.suit()) {
-        summary.name = suit->name;
-        summary.boards = suit->boards.size();
-        summary.sources = suit->sources.size();
-    }
-    summary.pulses = sizeOf(take.pulses(), problems);
-    summary.status_rows = sizeOf(take.statusRows(), problems);
-    summary.external_root_rows = sizeOf(take.externalRoot(), problems);
-    if (const auto there = take.hasRows("reference"); there && *there) {
-        const auto reference = take.reference();
-        summary.reference_frames = reference ? std::ssize(reference->frames) : 0;
-        if (!reference)
-            problems.push_back(reference.error().text() + ".");
-    }
-    const Status read = take.forEachBlock(kSuitInView, [&](const AdcBlock&) {
-        ++summary.blocks;
-        return true;
-    });
-    if (!read)
-        problems.push_back(read.error().text() + ".");
-    return summary;
+/// What is true of the take whatever suit is in view.
+void readHead(const Take& take, TakeInspection& in, Problems& problems) {
+    in.path = take.path();
+    in.state = metaText(take, "state");
+    in.performer = metaText(take, "performer");
+    in.level = take.level();
+    in.missing = problems.keep(take.missingParts()).value_or(std::vector<std::string>{});
+    in.notes = problems.keep(take.notes()).value_or(std::vector<NoteRow>{});
+    if (in.state == "recording")
+        problems.add("The take was never closed: it is being recorded, or the recording was cut short.");
 }
 
-/// Of a take with one suit none: it is described anyway.
-std::vector<SuitSummary> summariseSuits(Take& take, std::vector<std::string>& problems) {
-    std::vector<SuitSummary> suits;
-    const auto subjects = take.subjects();
-    if (!subjects)
-        problems.push_back(subjects.error().text() + ".");
-    if (take.suitIds().size() < 2)
-        return suits;
-    for (const int suit : take.suitIds()) {
-        take.view(suit);
-        suits.push_back(summariseSuit(take, problems));
-        if (!subjects)
-            continue;
-        for (const TakeSubject& subject : *subjects)
-            if (std::ranges::count(subject.suits, suit) > 0) {
-                suits.back().subject = subject.name;
-                suits.back().room = subject.room;
+void readDrives(const Take& take, TakeInspection& in, Problems& problems, const JobContext& job) {
+    const auto rows = problems.keep(take.robotDrives()).value_or(std::vector<RobotDriveRow>{});
+    for (const RobotDriveRow& row : rows) {
+        if (job.cancelled() || in.drives.size() >= limits::kListedRows)
+            return;
+        if (const auto drive = problems.keep(readRecordedDrive(take, row.drive)))
+            in.drives.push_back(summaryOf(*drive));
+    }
+}
+
+/// Every suit of a take with several, with the first performer's part as that of the whole.
+void inspectSuits(Take& take, TakeInspection& in, Problems& problems, const JobContext& job) {
+    const auto subjects = problems.keep(take.subjects()).value_or(std::vector<TakeSubject>{});
+    const auto first = std::ranges::find(subjects, false, &TakeSubject::room);
+    const int shown = first == subjects.end() ? 1 : first->suit();
+    const std::vector<int> suits = take.suitIds();
+    const bool several = suits.size() > 1;
+    for (size_t i = 0; several && i < suits.size() && !job.cancelled(); ++i) {
+        SuitSummary summary;
+        summary.suit = suits[i];
+        for (const TakeSubject& subject : subjects)
+            if (std::ranges::count(subject.suits, summary.suit) > 0) {
+                summary.subject = subject.name;
+                summary.room = subject.room;
             }
+        take.view(summary.suit);
+        summary.carrier_hz = take.header().drive_hz;
+        const std::string who = summary.room              ? "The room"
+                                : summary.subject.empty() ? "Suit " + std::to_string(summary.suit)
+                                                          : summary.subject;
+        const auto count = static_cast<double>(suits.size());
+        const std::pair share{static_cast<double>(i) / count, static_cast<double>(i + 1) / count};
+        static_cast<SuitInspection&>(summary) =
+            SuitInspector(take, in.runs, who + ": ", share, problems, job).inspect();
+        if (summary.suit == shown)
+            static_cast<SuitInspection&>(in) = summary;
+        in.suits.push_back(std::move(summary));
     }
-    return suits;
+    take.view(shown);
+    in.header = take.header();
+    if (!several)
+        static_cast<SuitInspection&>(in) = SuitInspector(take, in.runs, "", {0, 1}, problems, job).inspect();
+    if (in.reference_frames > 0)
+        in.reference_kind = metaText(take, "reference_kind");
 }
 
-nlohmann::json suitJson(const SuitSummary& suit) {
-    return {{"suit", suit.suit},
-            {"name", suit.name},
-            {"subject", suit.subject.empty() ? nlohmann::json(nullptr) : nlohmann::json(suit.subject)},
-            {"room", suit.room},
-            {"boards", suit.boards},
-            {"sources", suit.sources},
-            {"carrier_hz", suit.carrier_hz},
-            {"blocks", suit.blocks},
-            {"pulses", suit.pulses},
-            {"status_rows", suit.status_rows},
-            {"reference_frames", suit.reference_frames},
-            {"external_root_rows", suit.external_root_rows}};
-}
-
-template <class T, class ToJson>
-nlohmann::json list(const std::vector<T>& values, ToJson toJson) {
-    nlohmann::json array = nlohmann::json::array();
-    for (size_t i = 0; i < std::min(values.size(), limits::kListedRows); ++i)
-        array.push_back(toJson(values[i]));
-    return array;
-}
-
-nlohmann::json textOrNull(const std::string& text) {
-    return text.empty() ? nlohmann::json(nullptr) : nlohmann::json(text);
-}
-
-nlohmann::json rowsJson(const TakeInspection& in) {
-    using nlohmann::json;
-    const auto optional = [](const auto& value) { return value ? json(*value) : json(nullptr); };
-    return {{"gaps", list(in.gaps,
-                          [&](const GapRow& gap) {
-                              return json{{"first_sample", gap.first_sample},
-                                          {"sample_count", gap.sample_count},
-                                          {"board", optional(gap.board)},
-                                          {"reason", gap.reason}};
-                          })},
-            {"markers",
-             list(in.markers,
-                  [](const MarkerRow& marker) {
-                      return json{{"sample", marker.sample}, {"kind", marker.kind}, {"label", marker.label}};
-                  })},
-            {"notes", list(in.notes,
-                           [](const NoteRow& note) {
-                               return json{{"created_utc", note.created_utc}, {"text", note.text}};
-                           })},
-            {"drives", list(in.drives, [](const DriveSummary& drive) { return toJson(drive); })},
-            {"runs", list(in.runs, [](const DerivedRun& run) {
-                 const json settings = noctule::json::parse(run.settings_json);
-                 return json{{"run", run.run},
-                             {"kind", run.kind},
-                             {"name", run.name},
-                             {"created_utc", run.created_utc},
-                             {"software", run.software},
-                             {"settings", settings.is_discarded() ? json(nullptr) : settings}};
-             })}};
-}
-
-nlohmann::json qualityJson(const TakeInspection& in) {
-    using nlohmann::json;
-    return {{"sound", list(in.wires,
-                           [](const WireQuality& wire) {
-                               return json{{"board", wire.board},
-                                           {"samples", wire.samples},
-                                           {"clipped", wire.clipped},
-                                           {"silent", wire.silent}};
-                           })},
-            {"inertia", list(in.board_quality,
-                             [](const ReportBoard& board) {
-                                 return json{{"board", board.id},
-                                             {"frames_expected", board.frames_expected},
-                                             {"frames_lost", board.frames_lost},
-                                             {"readings_expected", board.readings_expected},
-                                             {"readings_present", board.readings_present},
-                                             {"clipped", board.clipped_gyro + board.clipped_accel},
-                                             {"corrected_bits", board.corrected_bits}};
-                             })},
-            {"pairs", list(in.pairs, [](const PairSummary& pair) {
-                 return json{{"source", pair.source},
-                             {"board", pair.board},
-                             {"heard_share", pair.heard_share},
-                             {"used_share", pair.used_share},
-                             {"confidence", pair.confidence}};
-             })}};
+/// Lists that are cut short, and rows that could not be read.
+void nameWhatIsLeftOut(const Take& take, const TakeInspection& in, Problems& problems) {
+    size_t gaps = in.suits.empty() ? in.gaps.size() : 0, markers = in.suits.empty() ? in.markers.size() : 0;
+    for (const SuitSummary& suit : in.suits) {
+        gaps = std::max(gaps, suit.gaps.size());
+        markers = std::max(markers, suit.markers.size());
+    }
+    for (const auto& [rows, what] : {std::pair(gaps, "gaps"), std::pair(markers, "markers"),
+                                     std::pair(in.notes.size(), "notes"), std::pair(in.runs.size(), "runs")})
+        if (rows > limits::kListedRows)
+            problems.add("Of " + std::to_string(rows) + " " + what + " only the first " +
+                         std::to_string(limits::kListedRows) + " are listed.");
+    for (const SkippedRows& skipped : take.skippedRows())
+        problems.add(std::to_string(skipped.count) + " rows of " + skipped.table +
+                     " could not be used, first " + skipped.first + ".");
 }
 
 }  // namespace
@@ -363,53 +291,17 @@ Result<TakeInspection> inspectTake(const std::string& path, const JobContext& jo
     auto take = Take::open(path, Access::kRead, {job.cancel});
     if (!take)
         return take.error();
-    std::vector<std::string> problems;
-    const std::vector<SuitSummary> suits = summariseSuits(*take, problems);
-    // The first performer: suit 1 may be the room.
-    const auto subjects = take->subjects();
-    const auto first =
-        subjects ? std::ranges::find(*subjects, false, &TakeSubject::room) : decltype(subjects->begin()){};
-    take->view(subjects && first != subjects->end() ? first->suit() : 1);
-    auto inspection = Inspector(*take, job).inspect();
-    if (!inspection)
-        return inspection;
-    inspection->suits = suits;
-    inspection->problems.insert(inspection->problems.end(), problems.begin(), problems.end());
-    return inspection;
-}
-
-nlohmann::json toJson(const TakeInspection& in) {
-    nlohmann::json json = {
-        {"take", in.path},
-        {"name", in.header.name},
-        {"uuid", in.header.uuid},
-        {"created_utc", in.header.created_utc},
-        {"software", in.header.software},
-        {"kind", in.header.take_kind},
-        {"state", textOrNull(in.state)},
-        {"performer", textOrNull(in.performer)},
-        {"level", in.level == TakeLevel::kReadings ? "readings" : "signal"},
-        {"duration_s", in.duration_s},
-        {"sample_rate_hz", in.header.sample_rate_hz},
-        {"suit", textOrNull(in.suit_name)},
-        {"boards", in.boards},
-        {"sources", in.sources},
-        {"calibration", textOrNull(in.calibration)},
-        {"actor", textOrNull(in.actor)},
-        {"not_calibrated", textOrNull(lackInWords(in.lack))},
-        {"blocks", in.blocks},
-        {"block_samples", in.block_samples},
-        {"hole_samples", in.hole_samples},
-        {"pulses", in.pulses},
-        {"reference", {{"frames", in.reference_frames}, {"kind", textOrNull(in.reference_kind)}}},
-        {"external_root_rows", in.external_root_rows},
-        {"quality", qualityJson(in)},
-        {"missing", in.missing},
-        {"problems", in.problems}};
-    if (!in.suits.empty())
-        json["suits"] = list(in.suits, suitJson);
-    json.update(rowsJson(in));
-    return json;
+    TakeInspection in;
+    Problems problems;
+    readHead(*take, in, problems);
+    in.runs = problems.keep(take->derivedRuns()).value_or(std::vector<DerivedRun>{});
+    inspectSuits(*take, in, problems, job);
+    readDrives(*take, in, problems, job);
+    if (job.cancelled())
+        return JobContext::cancelledError();
+    nameWhatIsLeftOut(*take, in, problems);
+    in.problems = problems.all();
+    return in;
 }
 
 }  // namespace noctule

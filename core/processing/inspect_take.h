@@ -28,21 +28,8 @@ struct PairSummary {
     double confidence = 0;                   ///< mean over all pulses; not heard counts as 0
 };
 
-/// One suit of several.
-struct SuitSummary {
-    int suit = 0;               ///< counts from 1
-    std::string name, subject;  ///< subject empty: nobody's
-    bool room = false;
-    size_t boards = 0, sources = 0;
-    double carrier_hz = 0;
-    int64_t blocks = 0, pulses = 0, status_rows = 0, reference_frames = 0, external_root_rows = 0;
-};
-
-struct TakeInspection {
-    std::string path;
-    TakeHeader header;
-    std::string state, performer;
-    TakeLevel level = TakeLevel::kSignal;
+/// What is there of one suit.
+struct SuitInspection {
     double duration_s = 0;
     std::string suit_name;
     std::vector<std::string> boards, sources;
@@ -50,19 +37,35 @@ struct TakeInspection {
     CalibrationLack lack;            ///< of the calibration in force
     int64_t blocks = 0, block_samples = 0, hole_samples = 0, pulses = 0;
     int64_t reference_frames = 0, external_root_rows = 0;
-    std::string reference_kind;
-    std::vector<SuitSummary> suits;  ///< of a take with several
     std::vector<GapRow> gaps;
     std::vector<MarkerRow> markers;
-    std::vector<NoteRow> notes;
     std::vector<StatusRow> status;
-    std::vector<DerivedRun> runs;
-    std::vector<DriveSummary> drives;        ///< of robots
     std::vector<WireQuality> wires;          ///< of takes with sound
     std::vector<ReportBoard> board_quality;  ///< of the last decoded readings, or the primary ones
     std::vector<PairSummary> pairs;          ///< of the last ranges, or the primary ones
-    std::vector<std::string> missing;        ///< what a complete take would have
-    std::vector<std::string> problems;       ///< whole sentences
+};
+
+/// One suit of several.
+struct SuitSummary : SuitInspection {
+    int suit = 0;         ///< counts from 1
+    std::string subject;  ///< empty: nobody's
+    bool room = false;
+    double carrier_hz = 0;
+};
+
+/// Of several suits its own part is that of the first performer.
+struct TakeInspection : SuitInspection {
+    std::string path;
+    TakeHeader header;
+    std::string state, performer;
+    TakeLevel level = TakeLevel::kSignal;
+    std::string reference_kind;
+    std::vector<SuitSummary> suits;  ///< of a take with several: every one
+    std::vector<NoteRow> notes;
+    std::vector<DerivedRun> runs;
+    std::vector<DriveSummary> drives;   ///< of robots
+    std::vector<std::string> missing;   ///< what a complete take would have
+    std::vector<std::string> problems;  ///< whole sentences
 };
 
 /// Fails only when the file is no take, or when cancelled.

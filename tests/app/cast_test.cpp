@@ -66,7 +66,7 @@ TEST(CastProgram, ATakeOfTwoGoesAllTheWay) {
 
     const Ran seen = batch({"inspect", take});
     EXPECT_EQ(seen.exit_code, 0) << seen.err;
-    for (const std::string text : {"subject A", "subject Bea", "the room"})
+    for (const std::string text : {"subject A", "subject Bea", "the room", "ceiling_1"})
         EXPECT_NE(seen.out.find(text), std::string::npos) << text << " is not in " << seen.out;
     const Ran processed = batch({"process", take});
     EXPECT_EQ(processed.exit_code, 0) << processed.err;

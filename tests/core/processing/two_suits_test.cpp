@@ -109,12 +109,43 @@ TEST_F(TwoSuits, EachSubjectIsProcessedAndEveryRowKept) {
     for (size_t s = 0; s < 3; ++s) {
         EXPECT_EQ(after.suits[s].pulses, before.suits[s].pulses);
         EXPECT_EQ(after.suits[s].blocks, 63);
-        EXPECT_EQ(after.suits[s].status_rows, 3);
+        EXPECT_EQ(after.suits[s].status.size(), 3u);
         EXPECT_EQ(after.suits[s].reference_frames, s < 2 ? 350 : 0);
     }
     EXPECT_EQ(after.suits[1].subject, "B");
     EXPECT_TRUE(after.suits[2].room);
     EXPECT_TRUE(after.problems.empty()) << after.problems.front();
+}
+
+/// Not only the first suit: parts, calibration, actor and quality of each, the room's too.
+TEST_F(TwoSuits, InspectShowsEverySuit) {
+    ASSERT_TRUE(processTake(request(), {}));
+    runSql(path_, "DELETE FROM calibration WHERE suit=2");
+    const auto in = inspectTake(path_, {}).value();
+    ASSERT_EQ(in.suits.size(), 3u);
+    EXPECT_EQ(in.boards, in.suits[0].boards);
+    EXPECT_EQ(in.calibration, in.suits[0].calibration);
+    EXPECT_FALSE(in.suits[0].actor.empty());
+    EXPECT_FALSE(in.suits[1].actor.empty());
+    EXPECT_TRUE(in.suits[1].calibration.empty());
+    EXPECT_FALSE(in.suits[2].calibration.empty());
+    EXPECT_EQ(in.suits[2].boards.front(), "anchor1");
+    EXPECT_TRUE(std::ranges::any_of(in.problems, [](const std::string& problem) {
+        return problem.starts_with("B: Not usable");
+    })) << "whose calibration is missing is said";
+    for (size_t s = 0; s < 2; ++s) {
+        const SuitSummary& suit = in.suits[s];
+        EXPECT_EQ(suit.wires.size(), suit.boards.size());
+        EXPECT_EQ(suit.board_quality.size(), suit.boards.size());
+        EXPECT_EQ(suit.pairs.size(), suit.boards.size() * suit.sources.size());
+        EXPECT_TRUE(
+            std::ranges::any_of(suit.pairs, [](const PairSummary& pair) { return pair.heard_share > 0.2; }));
+    }
+    const auto json = toJson(in);
+    EXPECT_EQ(json["suits"][1]["subject"], "B");
+    EXPECT_EQ(json["suits"][2]["board_ids"][0], "anchor1");
+    EXPECT_EQ(json["suits"][1]["boards"], in.suits[1].boards.size()) << "the count stays where it was";
+    EXPECT_TRUE(json["suits"][1]["quality"].contains("pairs"));
 }
 
 /// The example holds sound, and nothing has measured distances between its suits yet.
