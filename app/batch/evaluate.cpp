@@ -74,16 +74,19 @@ std::string matchedText(const Comparison& comparison) {
     return text.empty() ? "" : "joints matched        " + text + "\n";
 }
 
+std::string verdictText(const Verdict& verdict) {
+    std::string text = verdict.headline + "\n";
+    for (const std::string& reason : verdict.reasons)
+        text += "  " + reason + "\n";
+    return text;
+}
+
 std::string evaluationText(const ReportData& data, const ReportRun& run) {
     std::string text = data.take.name + ", run " + run.name + ": sensors " + run.sensors + ", estimator " +
                        run.estimator + ", root " + (run.root_given ? "given" : "free") + "\n";
     if (run.comparison)
         text += comparisonText(*run.comparison) + matchedText(*run.comparison);
-    const Verdict verdict = judge(data);
-    text += verdict.headline + "\n";
-    for (const std::string& reason : verdict.reasons)
-        text += "  " + reason + "\n";
-    return text;
+    return text + verdictText(judge(data));
 }
 
 Outcome orientationOutcome(const std::string& take, const OrientationEvaluation& evaluation) {
@@ -161,8 +164,30 @@ Result<std::string> addInRoom(const VerbContext& context, const EvaluateRequest&
            fixed((*in_world)->yaw_deg) + " deg";
 }
 
-/// One entry of `subjects` and one line each; the rest of the outcome is the first subject's. `reports`: of
-/// the shown run, each subject's.
+/// Of several performers the worst one's verdict is that of the take; each has its own in `subjects`.
+void addWorstVerdict(const std::vector<SubjectReport>& reports, Outcome& outcome) {
+    Grade worst = Grade::kGood;
+    std::vector<Grade> grades;
+    for (const SubjectReport& report : reports) {
+        grades.push_back(judge(report.data).grade);
+        worst = std::max(worst, grades.back());
+    }
+    std::string names;
+    for (size_t i = 0; i < reports.size(); ++i)
+        if (grades[i] == worst)
+            names += (names.empty() ? "" : ", ") + reports[i].subject;
+    outcome.json["verdict"] = gradeName(worst);
+    nlohmann::json reasons = nlohmann::json::array();
+    for (const nlohmann::json& subject : outcome.json["subjects"])
+        for (const nlohmann::json& reason : subject["reasons"])
+            reasons.push_back(subject["name"].get<std::string>() + ": " + reason.get<std::string>());
+    outcome.json["reasons"] = reasons;
+    outcome.text = "all subjects: " + gradeName(worst) + (worst > Grade::kGood ? " (" + names + ")" : "") +
+                   "\n" + outcome.text;
+}
+
+/// One entry of `subjects` and some lines each; the rest of the outcome but the verdict is the first
+/// subject's. `reports`: of the shown run, each subject's.
 Status addSubjects(const VerbContext& context, EvaluateRequest request,
                    const std::vector<TakeSubject>& subjects, Outcome& outcome,
                    std::vector<SubjectReport>& reports) {
@@ -177,7 +202,8 @@ Status addSubjects(const VerbContext& context, EvaluateRequest request,
             return data.error();
         const nlohmann::json all = evaluationJson(*data, *data->shownRun());
         nlohmann::json own{{"name", subject.name}, {"suit", subject.suit()}};
-        for (const char* member : {"mean_deg", "end_effector_mm", "root", "nees", "duration_s"})
+        for (const char* member :
+             {"mean_deg", "end_effector_mm", "root", "nees", "duration_s", "verdict", "reasons"})
             own[member] = all.value(member, nlohmann::json(nullptr));
         own["root_in_world"] = nullptr;
         const auto in_room = addInRoom(context, request, subject, own);
@@ -191,8 +217,11 @@ Status addSubjects(const VerbContext& context, EvaluateRequest request,
                                     : std::string("no reference")) +
                         (in_room->empty() ? "" : "; " + *in_room) + "\n";
         data->take.performer = subject.name;
+        if (&subject != &subjects.front())  // the first one's stands above
+            outcome.text += verdictText(judge(*data));
         reports.push_back({subject.name, std::move(*data)});
     }
+    addWorstVerdict(reports, outcome);
     return Done{};
 }
 

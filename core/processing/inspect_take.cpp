@@ -105,10 +105,12 @@ private:
         const auto stored = in_.calibration.empty() ? std::nullopt : keep(take_.calibrationInForce());
         calibration_ = stored ? stored->value : nominalCalibration(*suit_);
         in_.lack = lackOfTake(take_, *suit_, calibration_);
-        if (gradeOf(in_.lack, "AGD") == Grade::kNotUsable)
-            problems_.add(who_ + "Not usable: " + lackClause(in_.lack));
-        else if (!in_.lack.isNone())
-            problems_.add(who_ + lackSentence(in_.lack));
+        if (in_.lack.isNone())
+            return;
+        const bool is_usable = gradeOf(in_.lack, "AGD") != Grade::kNotUsable;
+        const std::string sentence =
+            is_usable ? lackSentence(in_.lack) : "Not usable: " + lackClause(in_.lack);
+        problems_.add(who_ + sentence);
     }
 
     void readRows() {

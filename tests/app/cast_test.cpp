@@ -49,6 +49,23 @@ void expectBoth(const CastOfTwo& two, const std::string& file, SceneFormat forma
     EXPECT_GT((hips_m[0] - hips_m[1]).norm(), 0.5) << "they stand apart";
 }
 
+/// Every second frame of Bea's boards is lost, A's are whole.
+void expectTheWorstVerdict(const std::string& take) {
+    runSql(take,
+           "UPDATE inertial SET gx=NULL,gy=NULL,gz=NULL,ax=NULL,ay=NULL,az=NULL,corrected=NULL "
+           "WHERE suit=2 AND frame%2=0");
+    const Ran judged = batch({"evaluate", take, "--json"});
+    ASSERT_EQ(judged.exit_code, 0) << judged.err;
+    const auto json = judged.json();
+    EXPECT_EQ(json["subjects"][1]["verdict"], "Not usable");
+    EXPECT_NE(json["subjects"][0]["verdict"], "Not usable") << json["subjects"][0]["reasons"];
+    EXPECT_EQ(json["verdict"], "Not usable") << "the worst, not the first";
+    EXPECT_EQ(json["reasons"].back().get<std::string>().find("Bea: "), 0U) << json["reasons"];
+    const std::string text = batch({"evaluate", take}).out;
+    EXPECT_EQ(text.find("all subjects: Not usable (Bea)"), 0U) << text;
+    EXPECT_NE(text.find("Not usable. Mean joint error"), std::string::npos) << text;
+}
+
 TEST(CastProgram, ATakeOfTwoGoesAllTheWay) {
     SKIP_WITHOUT_MOTION();
     const CastOfTwo two(R"(,"room":")" + kAnchors + "\"");
@@ -93,6 +110,7 @@ TEST(CastProgram, ATakeOfTwoGoesAllTheWay) {
     expectRefusal({"export", take, "--fbx", two.file("no.fbx"), "--stacks"}, 4,
                   {"several performers", "--together"});
     expectRefusal({"export", take, "--bvh", two.file("no.bvh"), "--together"}, 2, {"--together", "--fbx"});
+    expectTheWorstVerdict(take);
 }
 
 /// Sound alone: who is heard is told by the carrier, and the boxes' clocks are found from what they heard.
