@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string_view>
 
 namespace noctule {
@@ -36,6 +37,9 @@ inline RangeFate rangeFateFromName(std::string_view name) {
             return fate;
     return RangeFate::kNotTried;
 }
+
+/// Not measured, or left to whoever knows the clocks.
+inline constexpr double kNoDistance = std::numeric_limits<double>::quiet_NaN();
 
 /// A distance by the phase of the carrier: fine, but only up to whole cycles.
 struct CarrierRange {

@@ -104,6 +104,8 @@ Status CrossClocks::findOtherClocks(const Take& take, const TakeClocks& known) {
     for (const int to : take.suitIds()) {
         size_t seen = 0;
         const Status walked = take.forEachCrossRange(kPrimaryRun, to, [&](const Take::CrossRange& cross) {
+            if (std::isnan(cross.range.distance_m))
+                return true;
             const SuitDelays& from = suits_[cross.from_suit];
             const auto difference_m = [&](SuitClock SuitDelays::*clock) {
                 return cross.range.distance_m -
@@ -136,8 +138,10 @@ double CrossClocks::flight_s(const SuitDelays& from, const SuitDelays& to, const
 double CrossClocks::byGuess_m(int from_suit, int to_suit, const RangeMeasurement& range,
                               double c_m_per_s) const {
     const auto other = by_other_clocks_.find({from_suit, to_suit});
-    return other != by_other_clocks_.end() && other->second ? c_m_per_s * flight_s(from_suit, to_suit, range)
-                                                            : range.distance_m;
+    const bool is_by_other_clocks = other != by_other_clocks_.end() && other->second;
+    return is_by_other_clocks || std::isnan(range.distance_m)
+               ? c_m_per_s * flight_s(from_suit, to_suit, range)
+               : range.distance_m;
 }
 
 }  // namespace noctule

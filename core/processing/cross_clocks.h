@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // By whose clocks the distances between suits were measured. A writer may take the recorder's first guess, or
-// correct its clocks first; arrivals stay in the microphone's samples. Here all become distances by the
-// guess, so that one correction of the clocks serves both.
+// correct its clocks first, or store arrivals alone; these stay in the microphone's samples. Here all become
+// distances by the guess, so that one correction of the clocks serves both.
 #pragma once
 
 #include <map>

@@ -108,8 +108,10 @@ Status Take::forEachCrossRange(int64_t run, int suit,
         [&](const Statement& row, CrossRange& out) -> RowVerdict {
             const auto from = row.integer(1), sample = row.integer(2), source = row.integer(3),
                        board = row.integer(4);
-            const auto arrival = row.real(5), distance = row.real(6), w_s = shareOf(row, 7),
-                       w_t = shareOf(row, 8), w_a = shareOf(row, 10);
+            // A writer that does not know the clocks stores the arrival alone.
+            const auto distance = row.isNull(6) ? std::optional(kNoDistance) : row.real(6);
+            const auto arrival = row.real(5), w_s = shareOf(row, 7), w_t = shareOf(row, 8),
+                       w_a = shareOf(row, 10);
             const auto owner = sources.find(static_cast<int>(from.value_or(-1)));
             if (owner == sources.end() || !source || *source < 0 || *source >= owner->second || !board ||
                 *board < 0 || *board >= *boards)

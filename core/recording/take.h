@@ -109,7 +109,8 @@ public:
     Result<ReadingCursor> readings(int64_t run, int suit = kSuitInView) const;
     /// Of the suit's own pulses.
     Result<RangeCursor> ranges(int64_t run, int suit = kSuitInView) const;
-    /// A pulse of another suit, as a board of `suit` heard it.
+    /// A pulse of another suit, as a board of `suit` heard it. distance_m is kNoDistance where only the
+    /// arrival is stated.
     struct CrossRange {
         int from_suit = 0;
         RangeMeasurement range;  ///< pulse_sample on the clock of from_suit, arrival_sample on that of `suit`

@@ -226,6 +226,25 @@ TEST_F(CastGoneWrong, RootsStandWhereTheRoomSays) {
     EXPECT_GT((*rootInWorld(path_, "", (*subjects)[0], {}))->position_m, 0.08);
 }
 
+/// A receiver that knows nothing of the other boxes' clocks stores arrivals alone.
+TEST_F(CastGoneWrong, ArrivalsWithoutDistancesJoinAsWell) {
+    const ProcessSummary stated = processed(request());
+    runSql(path_,
+           "UPDATE range SET distance_m=NULL WHERE run=0 AND suit<>(SELECT suit FROM pulse WHERE "
+           "pulse.id=range.pulse)");
+    const ProcessSummary summary = processed(request());
+    ASSERT_TRUE(summary.together);
+    EXPECT_FALSE(says(summary, {"could not be used"}));
+    EXPECT_FALSE(says(summary, {"cannot be joined"}));
+    const auto used = static_cast<double>(usedWithTheRoom(path_, summary.range_run, 0));
+    EXPECT_NEAR(used, static_cast<double>(usedWithTheRoom(path_, stated.range_run, 0)), 0.05 * used);
+    EXPECT_GT(used, 100);
+    for (const int suit : {1, 2}) {
+        EXPECT_LT(errorsOf(suit).angles_deg, kUsual_deg);
+        EXPECT_LT(errorsOf(suit).root_m, kUsual_m);
+    }
+}
+
 TEST_F(CastGoneWrong, WithoutRangesBetweenEachIsAlone) {
     runSql(path_, "DELETE FROM range WHERE suit<>(SELECT suit FROM pulse WHERE pulse.id=range.pulse)");
     ProcessRequest wanted = request();
