@@ -196,6 +196,7 @@ void JointFilter::noteAnchor(int anchor, bool gated, bool is_off) {
     }
     tally.tried += 1;
     tally.gated += gated ? 1 : 0;
+    tally.off += is_off ? 1 : 0;
     if (tally.tried < kTriedBefore || tally.off_share < kOffShare)
         return;
     tally.left_out_lately = 0;
@@ -329,6 +330,16 @@ ClockLine JointFilter::clockNow(size_t member) const {
 double JointFilter::clockSigma_s(size_t member) const {
     const int at = clock_at_[member];
     return at < 0 ? 0 : std::sqrt(covariance_.common()(at, at)) / kSound_m_per_s;
+}
+
+bool JointFilter::roomContradicts() const {
+    const bool is_off = std::ranges::any_of(anchors_, [](const auto& entry) {
+        const Tally& tally = entry.second;
+        return tally.tried >= kTriedBefore &&
+               static_cast<double>(tally.off) > kInPlaceShare * static_cast<double>(tally.tried);
+    });
+    const bool nobody_stands = std::ranges::none_of(bodies_, &Body::joined);
+    return alignment_.room_contradicts && (is_off || nobody_stands || !movedAnchors().empty());
 }
 
 std::vector<int> JointFilter::movedAnchors() const {

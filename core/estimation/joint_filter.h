@@ -74,6 +74,9 @@ public:
     bool hasBegun() const { return begun_; }
     /// Anchors (boards of the room) whose ranges contradict the others.
     std::vector<int> movedAnchors() const;
+    /// At rest fewer than three anchors agreed. In movement some contradict the others still, or nobody could
+    /// be placed.
+    bool roomContradicts() const;
 
     /// Of the vector from a joint of one body to a joint of another, in the frame of the first one's root,
     /// m^2.
@@ -100,7 +103,7 @@ private:
         std::vector<TimedPose> poses{};
     };
     struct Tally {
-        int64_t tried = 0, gated = 0;               ///< ranges while it counted
+        int64_t tried = 0, gated = 0, off = 0;      ///< ranges while it counted
         int64_t left_out = 0, left_out_lately = 0;  ///< while it seemed moved; since it last did
         double off_share = 0;                       ///< of the last ranges, those that are plainly off
         bool moved = false;  ///< it seems so, and is left out until its ranges fit again

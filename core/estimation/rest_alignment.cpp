@@ -24,6 +24,7 @@ constexpr int kIterations = 15;
 constexpr double kCoarse_m = 0.15, kFine_m = 0.03;  ///< scale of the Cauchy loss
 constexpr double kWorstFit_m = 0.08;                ///< a body cannot be said to stand there
 constexpr size_t kFewestAnchors = 4;                ///< so that one of them can be told from the others
+constexpr size_t kFewestAgreeing = 3;               ///< two fit nearly everywhere
 constexpr double kSuspicious_m = 0.025;             ///< median residual of an anchor
 constexpr double kPlainlyBetter = 0.5;              ///< share of the misfit that is left without it
 constexpr int kNoAnchor = -1;                       ///< board of no anchor
@@ -174,8 +175,19 @@ public:
     }
 
     RestAlignment result;
-    double misfit = 0;          ///< mean loss per range, of all members
-    double worst_anchor_m = 0;  ///< median residual of the anchor that fits worst
+    double misfit = 0;                   ///< mean loss per range, of all members
+    std::map<int, double> anchor_off_m;  ///< median residual of each anchor, of the body that it fits worst
+
+    double worstAnchor_m() const {
+        double worst_m = 0;
+        for (const auto& [anchor, off_m] : anchor_off_m)
+            worst_m = std::max(worst_m, off_m);
+        return worst_m;
+    }
+    std::ptrdiff_t agreeingAnchors() const {
+        return std::ranges::count_if(anchor_off_m,
+                                     [](const auto& entry) { return entry.second <= kMovedAnchor_m; });
+    }
 
 private:
     std::vector<PairRow> rowsOf(size_t member, double bin_s) const {
@@ -257,7 +269,7 @@ private:
                 of_anchor[row.known_board].push_back(sizes.back());
         }
         for (auto& [anchor, values] : of_anchor)
-            worst_anchor_m = std::max(worst_anchor_m, median(values));
+            anchor_off_m[anchor] = std::max(anchor_off_m[anchor], median(values));
         misfit += fit.meanCost(u);
         RestPlace& place = result.places[member];
         place.rms_m = 1.48 * median(sizes);
@@ -337,8 +349,13 @@ RestAlignment alignAtRest(const std::vector<RestingMember>& members,
     Aligner all(members, distances, clocks);
     placeAll(all, room, uses_room);
     const std::set<int> anchors = anchorsOf(members[room]);
-    if (!uses_room || anchors.size() < kFewestAnchors || all.worst_anchor_m < kSuspicious_m)
-        return std::move(all.result);
+    const auto judged = [heard = all.anchor_off_m.size()](Aligner& aligner) {
+        aligner.result.room_contradicts =
+            heard >= kFewestAgreeing && aligner.agreeingAnchors() < std::ptrdiff_t{kFewestAgreeing};
+        return std::move(aligner.result);
+    };
+    if (!uses_room || anchors.size() < kFewestAnchors || all.worstAnchor_m() < kSuspicious_m)
+        return judged(all);
     // An anchor that is off draws the fit of few others to itself, and another one seems to be off. So each
     // is left out in turn: without the right one all bodies fit.
     std::optional<Aligner> best;
@@ -355,11 +372,10 @@ RestAlignment alignAtRest(const std::vector<RestingMember>& members,
         }
     }
     if (!best || best->misfit > kPlainlyBetter * all.misfit)
-        return std::move(all.result);
-    RestAlignment& result = best->result;
-    if (std::ranges::count(result.moved_anchors, moved) == 0)
-        result.moved_anchors.push_back(moved);
-    return std::move(result);
+        return judged(all);
+    if (std::ranges::count(best->result.moved_anchors, moved) == 0)
+        best->result.moved_anchors.push_back(moved);
+    return judged(*best);
 }
 
 }  // namespace noctule

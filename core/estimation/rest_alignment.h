@@ -37,6 +37,8 @@ struct RestAlignment {
     std::vector<RestPlace> places;   ///< per member
     std::vector<ClockLine> clocks;   ///< corrected
     std::vector<int> moved_anchors;  ///< boards of the room that contradict the others at rest
+    /// Fewer than three anchors agree at rest, so that nobody can tell which of them were moved.
+    bool room_contradicts = false;
 };
 
 /// `uses_room`: the last member is the room, which fixes the world; else the first body stands at the origin.

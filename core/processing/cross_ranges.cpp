@@ -363,6 +363,12 @@ private:
 
 }  // namespace
 
+std::string anchorContradicts(const Suit& room, int anchor) {
+    return "Anchor " + room.boards[static_cast<size_t>(anchor)].id +
+           " contradicts the other anchors: it was moved, or its place was surveyed wrongly. Survey the room "
+           "again.";
+}
+
 bool Joining::roomHoldsWorld() const {
     if (!room)
         return false;

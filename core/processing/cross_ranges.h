@@ -12,6 +12,14 @@
 
 namespace noctule {
 
+/// Where three anchors do not agree, nobody can tell which of them are right.
+inline constexpr const char* kRoomContradicts =
+    "Fewer than three anchors agree with each other: several were moved, or the room was surveyed wrongly. "
+    "Places and headings in the room cannot be trusted. Survey the room again.";
+
+/// That one anchor does not agree with the others.
+std::string anchorContradicts(const Suit& room, int anchor);
+
 /// The anchors of a take's room.
 struct RoomOfTake {
     TakeSubject subject;

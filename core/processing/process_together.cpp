@@ -345,11 +345,11 @@ private:
             warnings.push_back(
                 "One anchor alone does not tell how everybody is turned about it: places and headings in the "
                 "room are guesses, those of people to each other are not. Hang up two more anchors.");
-        if (joining_.room)
+        if (joining_.room && joint_->roomContradicts())
+            warnings.push_back(kRoomContradicts);
+        else if (joining_.room)
             for (const int anchor : joint_->movedAnchors())
-                warnings.push_back("Anchor " + joining_.room->suit.boards[static_cast<size_t>(anchor)].id +
-                                   " contradicts the other anchors: it was moved, or its place was surveyed "
-                                   "wrongly. Survey the room again.");
+                warnings.push_back(anchorContradicts(joining_.room->suit, anchor));
         for (Line& line : lines_)
             warnOfSilence(line);
         warnOfLost(end_s);

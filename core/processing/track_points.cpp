@@ -142,11 +142,11 @@ private:
             summary.warnings.push_back(
                 "There are no anchors: the common place and turn of all points is that of the start, "
                 "and drifts.");
-        for (const int anchor : alignment_.moved_anchors)
-            summary.warnings.push_back(
-                "Anchor " + joining_.room->suit.boards[static_cast<size_t>(anchor)].id +
-                " contradicts the other anchors: it was moved, or its place was surveyed wrongly. Survey the "
-                "room again.");
+        if (alignment_.room_contradicts)
+            summary.warnings.push_back(kRoomContradicts);
+        else
+            for (const int anchor : alignment_.moved_anchors)
+                summary.warnings.push_back(anchorContradicts(joining_.room->suit, anchor));
     }
 
     void addPoints(size_t member, const RestingMember& at_rest, std::vector<Vector3d>& places_m) {

@@ -175,6 +175,19 @@ TEST_F(CastGoneWrong, AnAnchorThatWasMovedBeforeIsNamed) {
     }
 }
 
+/// Two of four that fit by chance do not tell which ones were moved.
+TEST_F(CastGoneWrong, WhereThreeOfFourAnchorsWereMovedTheRoomIsNotTrusted) {
+    const std::pair<const char*, const char*> astray[] = {
+        {"1", "[2.4,0.9,1.4]"}, {"2", "[-2.1,2.2,2.35]"}, {"3", "[-1.65,1.4,-1.2]"}};
+    for (const auto& [index, place] : astray)
+        for (const std::string table : {"suit", "calibration"})
+            runSql(path_, "UPDATE " + table + " SET json=json_set(json,'$.boards[" + index +
+                              "].p_segment_board_m',json('" + place + "'),'$.sources[" + index +
+                              "].p_segment_source_m',json('" + place + "')) WHERE " +
+                              (table == "suit" ? "id" : "suit") + "=3");
+    EXPECT_TRUE(says(processed(request()), {"Fewer than three anchors agree", "cannot be trusted"}));
+}
+
 TEST_F(CastGoneWrong, AnAnchorThatIsMovedMeanwhileIsNamed) {
     // 0.2 m farther from both from 2 s on; 87.2 samples of sound.
     runSql(path_,
