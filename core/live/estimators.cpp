@@ -95,7 +95,7 @@ const std::vector<EstimatorEntry>& estimators() {
         {"manifold", "extended Kalman filter with rotations on the manifold, adaptive noise and smoothers",
          describe(manifoldParameters()), true, true, Detector::kMatched, false, makeManifold},
         {"paper", "the Kalman filter of Vlasic 2007 to the letter, as a baseline",
-         describe(paperParameters()), false, false, Detector::kInflection, false, makePaper},
+         describe(paperParameters()), false, false, Detector::kInflection, false, makePaper, true},
         {"orientation",
          "suits of independent inertial sensors: each one's orientation, then the body's pose; whole takes",
          {},

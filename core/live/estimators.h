@@ -35,6 +35,7 @@ struct EstimatorEntry {
     Detector detector = Detector::kMatched;  ///< unless another one is asked for
     bool whole_take = false;  ///< needs the whole take before the first pose; refuses to be made live
     Result<std::unique_ptr<Estimator>> (*make)(const EstimatorWorld& world) = nullptr;
+    bool keeps_zeros = false;  ///< of gyroscopes, those of the rest pose for all of the take
 };
 
 const std::vector<EstimatorEntry>& estimators();

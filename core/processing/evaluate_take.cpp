@@ -359,6 +359,10 @@ Result<ReportData> evaluateTake(const EvaluateRequest& request, const JobContext
     if (Status added = addQuality(take, *shown, settings, data, job); !added)
         return added.error();
     data.people_apart = settings.people_apart;
+    if (std::string drift = driftWarning(settings.estimator, settings.sensors, settings.root_given,
+                                         data.take.duration_s - data.take.rest_s);
+        !drift.empty())
+        data.warnings.push_back(std::move(drift));
     for (const SkippedRows& skipped : take.skippedRows())
         data.warnings.push_back(std::to_string(skipped.count) + " rows of " + skipped.table +
                                 " could not be used, first " + skipped.first + ".");

@@ -2,7 +2,9 @@
 #include "core/processing/pose_runs.h"
 
 #include <algorithm>
+#include <cstdio>
 
+#include "core/live/estimators.h"
 #include "core/math/json.h"
 
 namespace noctule {
@@ -66,6 +68,21 @@ std::vector<TakeSubject> subjectsOf(const DerivedRun& pose_run) {
     if (subjects.empty())
         subjects.push_back({"", {1}, false});
     return subjects;
+}
+
+std::string driftWarning(const std::string& estimator, const std::string& sensors, bool root_given,
+                         double after_rest_s) {
+    constexpr double kSeen_s = 60;  // drift of 1 to 3 degrees
+    const EstimatorEntry* entry = findEstimator(estimator);
+    const bool drifts = entry && entry->keeps_zeros && !root_given && sensors.find('G') != std::string::npos;
+    if (!drifts || after_rest_s < kSeen_s)
+        return "";
+    char minutes[32];
+    std::snprintf(minutes, sizeof minutes, "%.1f", after_rest_s / 60);
+    return "Nothing corrected the heading in the " + std::string(minutes) +
+           " minutes after the rest pose: estimator " + estimator +
+           " keeps the gyroscopes' zeros of then. The heading drifts by 1 to 3° a minute, and so do joints "
+           "that ranges do not back. Estimator manifold follows the zeros.";
 }
 
 std::vector<DerivedRun> poseRuns(const std::vector<DerivedRun>& runs) {

@@ -29,6 +29,11 @@ RunSettings runSettings(const DerivedRun& pose_run, const std::vector<DerivedRun
 /// Whom the run shows: suit 1 where its settings name nobody.
 std::vector<TakeSubject> subjectsOf(const DerivedRun& pose_run);
 
+/// Of an estimator that keeps the gyroscopes' zeros of the rest pose, where `after_rest_s` of the take follow
+/// it and no other system gives the root: what that makes of the poses. Empty: nothing.
+std::string driftWarning(const std::string& estimator, const std::string& sensors, bool root_given,
+                         double after_rest_s);
+
 /// In the order in which they were made.
 std::vector<DerivedRun> poseRuns(const std::vector<DerivedRun>& runs);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/live/estimators.h"
+#include "core/processing/pose_runs.h"
 
 namespace noctule {
 namespace {
@@ -121,6 +122,13 @@ Status fillSubject(const Take& take, const Ingredients& in, const std::string& w
     if (runs.summary.subjects.back().poses == 0)
         return unusableTake(take, who + "it is too short or holds no sound: no pose came out",
                             "`noctule --batch inspect` shows what is in it");
+    const TrackerSettings& tracker = work.request.tracker;
+    const int64_t after_rest = in.sample_count - (in.rest ? in.rest->second : 0);
+    if (const std::string drift =
+            driftWarning(tracker.estimator, sensorLetters(tracker), tracker.root_given,
+                         static_cast<double>(after_rest) / in.decoder.train.sample_rate_hz);
+        !drift.empty())
+        runs.summary.warnings.push_back(who + drift);
     return Done{};
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/formats/bvh.h"
 #include "core/motion/comparison.h"
+#include "core/processing/evaluate_take.h"
 #include "core/processing/inspect_take.h"
 #include "core/processing/pose_runs.h"
 #include "tests/core/processing/processed_runs.h"
@@ -120,6 +121,35 @@ TEST(ProcessTinyTake, BothEstimatorsGivePosesNearTheReference) {
         EXPECT_LT(segmentError(poses, reference, "LeftHand").mean_deg, paper ? 4 : 2);
         EXPECT_LT(segmentError(poses, reference, "LeftHand").max_deg, 8);
     }
+}
+
+/// The paper's filter keeps the gyroscopes' zeros of the rest pose: over minutes its heading drifts.
+TEST(ProcessTinyTake, DriftOfALongTakeIsSaidByProcessAndReport) {
+    const Folder folder;
+    const std::string path = tinyTake(folder);
+    runSql(path, "UPDATE meta SET value=90*150000 WHERE key='sample_count'");
+    const auto drifts = [](const std::vector<std::string>& warnings) {
+        return std::ranges::any_of(warnings, [](const std::string& warning) {
+            return warning.find("1.5 minutes after the rest pose") != std::string::npos;
+        });
+    };
+    ProcessRequest request = requestFor(path);
+    request.tracker.root_given = false;
+    EvaluateRequest evaluation;
+    evaluation.take_path = path;
+    for (const std::string estimator : {kPaperEstimator, kManifoldEstimator}) {
+        request.tracker.estimator = estimator;
+        const auto summary = processTake(request, {});
+        ASSERT_TRUE(summary) << summary.error().text();
+        const bool is_paper = estimator == kPaperEstimator;
+        EXPECT_EQ(drifts(summary->warnings), is_paper) << estimator;
+        const auto report = evaluateTake(evaluation, {});
+        ASSERT_TRUE(report) << report.error().text();
+        EXPECT_EQ(drifts(report->warnings), is_paper) << estimator;
+    }
+    EXPECT_EQ(driftWarning(kPaperEstimator, "AGD", false, 30), "") << "too short to be seen";
+    EXPECT_EQ(driftWarning(kPaperEstimator, "AGD", true, 300), "") << "another system gives the heading";
+    EXPECT_NE(driftWarning(kPaperEstimator, "AGD", false, 300), "");
 }
 
 TEST(ProcessTinyTake, WritesItsRunsWithTheirSettings) {
