@@ -4,6 +4,7 @@
 #include "app/batch/verb.h"
 #include "core/body/text.h"
 #include "core/job/atomic_file.h"
+#include "core/job/outside_text.h"
 #include "core/processing/evaluate_between.h"
 #include "core/processing/evaluate_points.h"
 #include "core/processing/evaluate_take.h"
@@ -18,11 +19,13 @@
 namespace noctule::batch {
 namespace {
 
+constexpr size_t kJointName = 40;  ///< bytes in a table
+
 std::string jointRow(const std::string& name, const std::string& mean, const std::string& deviation,
                      const std::string& rms) {
     char row[160];
-    std::snprintf(row, sizeof row, "%-20s %10s %10s %10s\n", name.c_str(), mean.c_str(), deviation.c_str(),
-                  rms.c_str());
+    std::snprintf(row, sizeof row, "%-20s %10s %10s %10s\n", shortText(name, kJointName).c_str(),
+                  mean.c_str(), deviation.c_str(), rms.c_str());
     return row;
 }
 

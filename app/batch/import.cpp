@@ -12,6 +12,7 @@
 #include "core/import/import_take.h"
 #include "core/import/segment_map.h"
 #include "core/import/sensor_findings.h"
+#include "core/job/outside_text.h"
 #include "devices/device/clock.h"
 #include "devices/device/random_uuid.h"
 
@@ -122,8 +123,9 @@ std::string partsOf(const SensorFindings& found) {
 std::string sensorText(const ImportedSensor& sensor) {
     const SensorFindings found = findingsOf(sensor);
     char text[200];
-    std::snprintf(text, sizeof text, "  %-20s %8.3f Hz %9.2f s, %zu rows, %zu missing, ", sensor.id.c_str(),
-                  sensor.samples.rate_hz, found.duration_s, found.rows, found.missing);
+    std::snprintf(text, sizeof text, "  %-20s %8.3f Hz %9.2f s, %zu rows, %zu missing, ",
+                  shortText(sensor.id, 40).c_str(), sensor.samples.rate_hz, found.duration_s, found.rows,
+                  found.missing);
     return text + partsOf(found) + (sensor.segment.empty() ? "; segment not known" : "; " + sensor.segment) +
            "\n";
 }

@@ -10,12 +10,17 @@
 namespace noctule::batch {
 namespace {
 
-constexpr size_t kShown = 2000;  ///< bytes of a line's value
+constexpr size_t kShown = 2000;                ///< bytes of a line's value
+constexpr size_t kRowHead = 24, kColumn = 16;  ///< bytes of an id in a table
 
 std::string line(const std::string& what, const std::string& value) {
     char text[32];
     std::snprintf(text, sizeof text, "  %-14s ", what.c_str());
     return value.empty() ? "" : text + visibleText(shortText(value, kShown)) + "\n";
+}
+
+std::string headOfRow(const std::string& id) {
+    return shortText(visibleText(id), kRowHead);
 }
 
 std::string counted(int64_t count, const std::string& what) {
@@ -109,7 +114,7 @@ std::string boardsText(const SuitInspection& in) {
         const double share = board.readings_expected == 0 ? 0
                                                           : static_cast<double>(board.readings_present) /
                                                                 static_cast<double>(board.readings_expected);
-        std::snprintf(row, sizeof row, "  %-14s %10lld %10lld %10s %10lld\n", visibleText(board.id).c_str(),
+        std::snprintf(row, sizeof row, "  %-14s %10lld %10lld %10s %10lld\n", headOfRow(board.id).c_str(),
                       static_cast<long long>(board.frames_expected),
                       static_cast<long long>(board.frames_lost), percent(share).c_str(),
                       static_cast<long long>(board.clipped_gyro + board.clipped_accel));
@@ -126,11 +131,11 @@ std::string pairsText(const SuitInspection& in) {
     std::snprintf(cell, sizeof cell, "\n  %-14s", "heard %");
     std::string text = cell;
     for (const std::string& source : in.sources) {
-        std::snprintf(cell, sizeof cell, " %8s", visibleText(source).c_str());
+        std::snprintf(cell, sizeof cell, " %8s", shortText(visibleText(source), kColumn).c_str());
         text += cell;
     }
     for (const std::string& board : in.boards) {
-        std::snprintf(cell, sizeof cell, "\n  %-14s", visibleText(board).c_str());
+        std::snprintf(cell, sizeof cell, "\n  %-14s", headOfRow(board).c_str());
         text += cell;
         for (const PairSummary& pair : in.pairs)
             if (pair.board == board) {

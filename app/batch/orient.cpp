@@ -4,6 +4,7 @@
 #include "app/batch/files.h"
 #include "app/batch/program.h"
 #include "app/batch/takes.h"
+#include "core/job/outside_text.h"
 #include "core/processing/orient_take.h"
 #include "core/processing/orientation_csv.h"
 #include "devices/device/clock.h"
@@ -30,8 +31,8 @@ nlohmann::json boardJson(const OrientedBoard& board) {
 
 std::string boardText(const OrientedBoard& board) {
     char text[200];
-    std::snprintf(text, sizeof text, "  %-14s %zu readings, %zu missing", board.id.c_str(), board.readings,
-                  board.missing);
+    std::snprintf(text, sizeof text, "  %-14s %zu readings, %zu missing", shortText(board.id, 40).c_str(),
+                  board.readings, board.missing);
     std::string line = text;
     if (!board.has_magnetometer)
         return line + ", no magnetometer: its heading drifts\n";

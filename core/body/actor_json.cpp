@@ -36,7 +36,7 @@ Json jointToJson(const Joint& joint) {
 
 Result<DegreeOfFreedom> dofFromJson(const Json& j, const std::string& where, const std::string& joint) {
     DegreeOfFreedom dof;
-    dof.name = json::text(j, "name").value_or("");
+    dof.name = shortText(json::text(j, "name").value_or(""), limits::kName);
     const auto axis = json::vector3(j, "axis");
     if (!axis || axis->norm() < 1e-9)
         return notReadable(where,
@@ -198,8 +198,9 @@ Result<Actor> actorFromJson(const nlohmann::json& j, const std::string& where) {
     Result<std::vector<Capsule>> capsules = capsulesFromJson(j, where, *skeleton);
     if (!capsules)
         return capsules.error();
-    return Actor{json::text(j, "name").value_or("unnamed"), json::number(j, "height_m").value_or(0),
-                 std::move(*skeleton), std::move(*rest), std::move(*capsules)};
+    return Actor{shortText(json::text(j, "name").value_or("unnamed"), limits::kName),
+                 json::number(j, "height_m").value_or(0), std::move(*skeleton), std::move(*rest),
+                 std::move(*capsules)};
 }
 
 }  // namespace noctule

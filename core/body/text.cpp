@@ -7,6 +7,9 @@
 #include <cmath>
 #include <map>
 
+#include "core/job/limits.h"
+#include "core/job/outside_text.h"
+
 namespace noctule::text {
 namespace {
 
@@ -138,13 +141,13 @@ std::string utc(const std::string& iso8601) {
 std::string jointLabel(const std::string& name) {
     const auto [side, part] = partOf(name);
     if (!part)
-        return name;
+        return shortText(name, limits::kShownName);
     return capitalised(side + part->first);
 }
 
 std::string segmentLabel(const std::string& name) {
     const auto [side, part] = partOf(name);
-    return part ? side + part->second : name;
+    return part ? side + part->second : shortText(name, limits::kShownName);
 }
 
 }  // namespace noctule::text

@@ -27,7 +27,7 @@ std::string capitalised(std::string words);  ///< first letter, when it is an AS
 std::string utc(
     const std::string& iso8601);  ///< "2026-11-21 09:58 UTC" of "2026-11-21T09:58:00Z"; else as it is
 
-/// "LeftForeArm" -> "Left elbow"; names that are not canonical stay as they are.
+/// "LeftForeArm" -> "Left elbow"; names that are not canonical stay as they are, long ones are cut.
 std::string jointLabel(const std::string& name);
 /// "LeftForeArm" -> "left forearm".
 std::string segmentLabel(const std::string& name);

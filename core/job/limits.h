@@ -35,7 +35,8 @@ inline constexpr double kFarthest_m = 100'000;              ///< positions and d
 inline constexpr double kColdest_c = -60, kHottest_c = 90;  ///< air in which a suit is worn, and some more
 
 // Texts, in bytes of UTF-8; longer ones are cut
-inline constexpr size_t kName = 1000;          ///< names, labels, kinds, dates; a file name ends at 255
+inline constexpr size_t kName = 200;           ///< names, ids, labels, kinds, dates; a long sentence
+inline constexpr size_t kShownName = 60;       ///< of it in tables and at plots
 inline constexpr size_t kNote = 64 * 1024;     ///< notes of operators, some pages
 inline constexpr size_t kBoxText = 300;        ///< what a driver box says of itself and its errors
 inline constexpr size_t kListedRows = 10'000;  ///< rows of a table that `inspect --json` lists

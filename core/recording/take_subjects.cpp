@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "core/job/limits.h"
+#include "core/job/outside_text.h"
 #include "core/math/json.h"
 #include "core/recording/take.h"
 
@@ -18,7 +20,7 @@ Error badSubjects(const std::string& take, const std::string& what) {
 
 Result<TakeSubject> Take::subjectFrom(const nlohmann::json& entry) const {
     TakeSubject subject;
-    subject.name = json::text(entry, "name").value_or("");
+    subject.name = shortText(json::text(entry, "name").value_or(""), limits::kName);
     subject.room = entry.is_object() && entry.value("room", nlohmann::json(false)) == true;
     const std::string who = subject.room ? "the room" : "subject '" + subject.name + "'";
     const auto suits = entry.is_object() ? entry.find("suits") : entry.end();

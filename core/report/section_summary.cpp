@@ -2,6 +2,8 @@
 #include <algorithm>
 
 #include "core/body/text.h"
+#include "core/job/limits.h"
+#include "core/job/outside_text.h"
 #include "core/report/html.h"
 #include "core/report/range_statistics.h"
 #include "core/report/sections.h"
@@ -67,13 +69,14 @@ std::string explanation(const ReportData& data, const ReportRun* run) {
 
 std::string sourceLabel(const ReportData& data, int source) {
     const ReportSource& s = data.sources[static_cast<size_t>(source)];
-    return "source " + std::to_string(source + 1) + (s.label.empty() ? "" : " (" + s.label + ")");
+    const std::string label = shortText(s.label, limits::kShownName);
+    return "source " + std::to_string(source + 1) + (label.empty() ? "" : " (" + label + ")");
 }
 
 std::string boardLabel(const ReportData& data, int board) {
     const ReportBoard& b = data.boards[static_cast<size_t>(board)];
-    return (b.segment.empty() ? b.id : text::segmentLabel(b.segment)) + " (board " +
-           std::to_string(board + 1) + ")";
+    return (b.segment.empty() ? shortText(b.id, limits::kShownName) : text::segmentLabel(b.segment)) +
+           " (board " + std::to_string(board + 1) + ")";
 }
 
 std::string pairLabel(const ReportData& data, const ReportPair& pair) {

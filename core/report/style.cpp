@@ -34,7 +34,7 @@ constexpr const char* kDarkTokens =
 
 constexpr const char* kPage = R"css(
 *{box-sizing:border-box}
-body{margin:0;background:var(--bg);color:var(--t1);font:13px/1.5 Roboto,"Segoe UI",system-ui,sans-serif;font-variant-numeric:tabular-nums}
+body{margin:0;overflow-wrap:break-word;background:var(--bg);color:var(--t1);font:13px/1.5 Roboto,"Segoe UI",system-ui,sans-serif;font-variant-numeric:tabular-nums}
 main,header>div{max-width:1080px;margin:0 auto;padding:0 24px}
 header{background:var(--panel);border-bottom:1px solid var(--line)}
 header>div{display:flex;align-items:center;gap:12px;height:52px}
@@ -66,6 +66,7 @@ section{background:var(--panel);border:1px solid var(--line);border-radius:8px;p
 table{border-collapse:collapse;width:100%}
 caption{position:absolute;width:1px;height:1px;overflow:hidden;clip-path:inset(50%)}
 th,td{padding:4px 8px;text-align:right;border-bottom:1px solid var(--line);height:28px;font-weight:400;white-space:nowrap}
+th{max-width:360px;overflow:hidden;text-overflow:ellipsis}
 thead th{font-size:11px;color:var(--t3);vertical-align:bottom}
 thead .group{text-align:center;border-bottom-color:var(--edge)}
 tbody th{color:var(--t1)}th:first-child,td:first-child,.word{text-align:left}

@@ -119,9 +119,9 @@ std::map<std::string, double> readSeconds(JsonObject& json, const char* member) 
 
 SourceCalibration readSourceCalibration(JsonObject& json, std::optional<Error>& error) {
     SourceCalibration source;
-    source.id = json.text("id");
+    source.id = json.name("id");
     json.setWhat(json.what() + " '" + source.id + "'");
-    source.serial = json.textOr("serial", "");
+    source.serial = json.nameOr("serial", "");
     source.made = readHistory(json, error);
     source.offsets_s = readSeconds(json, "offsets_s");
     source.sigma_s = readSeconds(json, "sigma_s");
@@ -143,9 +143,9 @@ AxisCalibration readAxes(JsonObject& board, const char* member, std::optional<Er
 
 BoardCalibration readBoardCalibration(JsonObject& json, std::optional<Error>& error) {
     BoardCalibration board;
-    board.id = json.text("id");
+    board.id = json.name("id");
     json.setWhat(json.what() + " '" + board.id + "'");
-    board.serial = json.textOr("serial", "");
+    board.serial = json.nameOr("serial", "");
     board.made = readHistory(json, error);
     board.gyro = readAxes(json, "gyro", error);
     board.accel = readAxes(json, "accel", error);

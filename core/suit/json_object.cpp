@@ -4,6 +4,8 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "core/job/limits.h"
+#include "core/job/outside_text.h"
 #include "core/math/json.h"
 
 namespace noctule {
@@ -68,10 +70,18 @@ std::string JsonObject::textOr(const char* member, const std::string& fallback) 
     return fallback;
 }
 
-std::string JsonObject::nullableText(const char* member) {
+std::string JsonObject::name(const char* member) {
+    return shortText(text(member), limits::kName);
+}
+
+std::string JsonObject::nameOr(const char* member, const std::string& fallback) {
+    return shortText(textOr(member, fallback), limits::kName);
+}
+
+std::string JsonObject::nullableName(const char* member) {
     if (!first_error_ && !json_.contains(member))
         fail(ErrorKind::kUnreadable, member, "is missing");
-    return textOr(member, "");
+    return nameOr(member, "");
 }
 
 double JsonObject::number(const char* member) {

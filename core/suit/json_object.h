@@ -23,7 +23,10 @@ public:
 
     std::string text(const char* member);  ///< must be there and not be empty
     std::string textOr(const char* member, const std::string& fallback);
-    std::string nullableText(const char* member);  ///< must be there; null is empty
+    /// As text() and textOr(), but what is longer than limits::kName is cut.
+    std::string name(const char* member);
+    std::string nameOr(const char* member, const std::string& fallback);
+    std::string nullableName(const char* member);  ///< must be there; null is empty
     double number(const char* member);
     double numberOr(const char* member, double fallback);
     double positiveOr(const char* member, double fallback);

@@ -50,10 +50,10 @@ nlohmann::json toJson(const Source& source) {
 
 Board readBoard(JsonObject& json) {
     Board board;
-    board.id = json.text("id");
+    board.id = json.name("id");
     json.setWhat(json.what() + " '" + board.id + "'");
-    board.serial = json.textOr("serial", "");
-    board.segment = json.nullableText("segment");
+    board.serial = json.nameOr("serial", "");
+    board.segment = json.nullableName("segment");
     board.p_segment_board_m = json.vector("p_segment_board_m");
     board.q_segment_board = json.quaternion("q_segment_board");
     board.p_board_mic_m = json.optionalVector("p_board_mic_m").value_or(Vector3d::Zero());
@@ -75,14 +75,14 @@ Board readBoard(JsonObject& json) {
 
 Source readSource(JsonObject& json) {
     Source source;
-    source.id = json.text("id");
+    source.id = json.name("id");
     json.setWhat(json.what() + " '" + source.id + "'");
-    source.serial = json.textOr("serial", "");
-    source.segment = json.nullableText("segment");
+    source.serial = json.nameOr("serial", "");
+    source.segment = json.nullableName("segment");
     source.p_segment_source_m = json.vector("p_segment_source_m");
     source.normal_segment = json.unitVector("normal_segment");
     source.nominal_hz = json.positiveOr("nominal_hz", source.nominal_hz);
-    source.board = json.textOr("board", "");
+    source.board = json.nameOr("board", "");
     return source;
 }
 
@@ -187,7 +187,7 @@ Result<Suit> suitFromJson(const nlohmann::json& json, const std::string& where) 
     JsonObject object(json, where, error);
     object.expectFormat("noctule-suit", 1);
     Suit suit;
-    suit.name = object.textOr("name", "");
+    suit.name = object.nameOr("name", "");
     suit.boards = readParts<Board>(object, "boards", "board", where, readBoard, error);
     suit.sources = readParts<Source>(object, "sources", "source", where, readSource, error);
     suit.carrier_hz = object.optionalPositive("carrier_hz");

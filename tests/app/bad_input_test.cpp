@@ -46,6 +46,24 @@ TEST(BadInput, TakeOfAnotherVersion) {
     expectEveryVerbRefuses(folder, take, 3, {"later.noctule", "version 2", "newer Noctule"});
 }
 
+/// Tables keep their columns, whatever a take calls its boards.
+TEST(BadInput, NamesOfThousandsOfLettersAreShownShort) {
+    Folder folder;
+    const std::string take = folder.file("long.noctule"), name(5000, 'n');
+    writeBytes(take, readBytes(kTinyTake));
+    for (const char* table : {"suit", "calibration"})
+        runSql(take, std::string("UPDATE ") + table + " SET json=json_set(json,'$.boards[0].id','" + name +
+                         "','$.sources[0].id','" + name + "')");
+    runSql(take, "INSERT INTO marker(sample,kind,label) VALUES(1,'user','" + name + "')");
+    ASSERT_EQ(batch({"process", take, "--root", "given"}).exit_code, 0);
+    const Ran seen = batch({"inspect", take});
+    EXPECT_EQ(seen.exit_code, 0) << seen.err;
+    std::istringstream lines(seen.out);
+    for (std::string line; std::getline(lines, line);)
+        EXPECT_LT(line.size(), 300U) << line;
+    EXPECT_NE(seen.out.find("nnn…"), std::string::npos) << "what is cut shows it";
+}
+
 TEST(BadInput, TakeThatLacksParts) {
     Folder folder;
     const std::string take = folder.file("half.noctule");

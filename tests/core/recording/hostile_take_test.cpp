@@ -108,6 +108,36 @@ TEST(HostileTake, PulsesCannotFloodAndTextsAreCut) {
     EXPECT_EQ(longest, limits::kName);
 }
 
+/// Names of 5000 letters would break every table and report.
+TEST(HostileTake, NamesOfSuitsAndSubjectsAreCut) {
+    const Folder folder;
+    const std::string name(5000, 'n');
+    const auto take =
+        Take::open(hostileTake(folder, "UPDATE suit SET json=json_set(json,'$.name','" + name +
+                                           "','$.boards[0].id','" + name + "','$.sources[0].id','" + name +
+                                           "');"
+                                           "UPDATE calibration SET json=json_set(json,'$.boards[0].id','" +
+                                           name +
+                                           "');"
+                                           "UPDATE actor SET json=json_set(json,'$.name','" +
+                                           name +
+                                           "');"
+                                           "INSERT INTO meta VALUES('subjects','[{\"name\":\"" +
+                                           name + "\",\"suits\":[1]}]')"));
+    ASSERT_TRUE(take) << take.error().text();
+    const auto suit = take->suit();
+    ASSERT_TRUE(suit) << suit.error().text();
+    const auto subjects = take->subjects();
+    ASSERT_TRUE(subjects) << subjects.error().text();
+    for (const std::string& cut : {suit->name, suit->boards[0].id, suit->sources[0].id,
+                                   subjects->front().name, take->actorInForce()->value.name}) {
+        EXPECT_LE(cut.size(), limits::kName);
+        EXPECT_TRUE(cut.ends_with("…")) << "what is cut shows it: " << cut;
+    }
+    EXPECT_NE(take->calibrationInForce()->value.findBoard(suit->boards[0].id), nullptr)
+        << "both are cut alike, so that they are found by each other";
+}
+
 TEST(HostileTake, RowsBeyondTheTablesLimitAreCountedNotHeld) {
     const Folder folder;
     const auto take = Take::open(hostileTake(folder,
