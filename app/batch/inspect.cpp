@@ -10,8 +10,8 @@
 namespace noctule::batch {
 namespace {
 
-constexpr size_t kShown = 2000;                ///< bytes of a line's value
-constexpr size_t kRowHead = 24, kColumn = 16;  ///< bytes of an id in a table
+constexpr size_t kShown = 2000;                  ///< bytes of a line's value
+constexpr size_t kRowHead = 24, kIdColumn = 16;  ///< bytes of an id in a table
 
 std::string line(const std::string& what, const std::string& value) {
     char text[32];
@@ -34,7 +34,7 @@ std::string percent(double share) {
 }
 
 template <class Rows>
-auto listed(const Rows& rows) {
+auto firstRows(const Rows& rows) {
     return std::span(rows).first(std::min(rows.size(), limits::kListedRows));
 }
 
@@ -59,11 +59,11 @@ std::string countsOf(const SuitInspection& in) {
 /// Gaps and markers.
 std::string timedRowsText(const SuitInspection& in) {
     std::string text;
-    for (const GapRow& gap : listed(in.gaps))
+    for (const GapRow& gap : firstRows(in.gaps))
         text += line("gap", counted(gap.sample_count, "samples from ") + std::to_string(gap.first_sample) +
                                 (gap.board ? ", board " + std::to_string(*gap.board + 1) : ", all boards") +
                                 (gap.reason.empty() ? "" : ", " + gap.reason));
-    for (const MarkerRow& marker : listed(in.markers))
+    for (const MarkerRow& marker : firstRows(in.markers))
         text +=
             line("marker", marker.kind + " " + marker.label + " at sample " + std::to_string(marker.sample));
     return text;
@@ -88,11 +88,11 @@ std::string headText(const TakeInspection& in) {
 
 std::string rowsText(const TakeInspection& in) {
     std::string text;
-    for (const NoteRow& note : listed(in.notes))
+    for (const NoteRow& note : firstRows(in.notes))
         text += line("note", note.text);
-    for (const DriveSummary& drive : listed(in.drives))
+    for (const DriveSummary& drive : firstRows(in.drives))
         text += line("robot " + std::to_string(drive.about.drive), summaryText(drive));
-    for (const DerivedRun& run : listed(in.runs))
+    for (const DerivedRun& run : firstRows(in.runs))
         text += line("run " + std::to_string(run.run),
                      run.kind + " '" + run.name + "', " + run.created_utc + ", " + run.software);
     return text;
@@ -131,7 +131,7 @@ std::string pairsText(const SuitInspection& in) {
     std::snprintf(cell, sizeof cell, "\n  %-14s", "heard %");
     std::string text = cell;
     for (const std::string& source : in.sources) {
-        std::snprintf(cell, sizeof cell, " %8s", shortText(visibleText(source), kColumn).c_str());
+        std::snprintf(cell, sizeof cell, " %8s", shortText(visibleText(source), kIdColumn).c_str());
         text += cell;
     }
     for (const std::string& board : in.boards) {

@@ -11,6 +11,7 @@
 #include "core/formats/text_file.h"
 #include "core/import/column_text.h"
 #include "core/import/formats.h"
+#include "core/import/segment_names.h"
 #include "core/import/sensor_rows.h"
 
 namespace noctule {
@@ -30,8 +31,20 @@ bool isTable(const ImportFile& file) {
            isInertialTable(file);
 }
 
+/// The answers of a device to commands, beside its tables.
+bool isCommands(const ImportFile& file) {
+    return file.fileName() == "Command.json" && file.head().find("\"ping\"") != std::string_view::npos;
+}
+
 bool knowsXimu3(const ImportFile& file) {
-    return file.extension() == ".ximu3" || (isTable(file) && file.head().starts_with("Timestamp (us),"));
+    return file.extension() == ".ximu3" || isCommands(file) ||
+           (isTable(file) && file.head().starts_with("Timestamp (us),"));
+}
+
+/// Of the device's tables or of its Command.json.
+std::string deviceFolder(const ImportFile& file) {
+    const std::string folder = file.folderName();
+    return folder.empty() ? file.stem() : folder;
 }
 
 Result<Ximu3Table> tableOf(const ImportFile& file, size_t values, const std::vector<const char*>& units,
@@ -183,12 +196,35 @@ Result<std::map<std::string, Ximu3Device>> devicesIn(const std::vector<ImportFil
                 return device.error();
             devices[file.stem()] = std::move(*device);
         } else if (isTable(file)) {
-            const std::string folder = file.folderName();
-            if (Status added = addTable(file, devices[folder.empty() ? file.stem() : folder], job); !added)
+            if (Status added = addTable(file, devices[deviceFolder(file)], job); !added)
                 return added.error();
         }
     }
+    for (const ImportFile& file : files)
+        if (isCommands(file) && devices.contains(deviceFolder(file)))
+            addXimu3Commands(file.bytes, devices[deviceFolder(file)].settings);
     return devices;
+}
+
+WorldFrame worldOf(const Ximu3Device& device, const ImportChoice& choice) {
+    return choice.world.value_or(device.settings.world.value_or(WorldFrame::kNorthWestUp));
+}
+
+void sayWhatIsStated(const std::string& id, const Ximu3Device& device, const ImportChoice& choice,
+                     ImportedRecording& recording) {
+    const std::vector<std::string> notes = ximu3Notes(id, device.settings);
+    recording.notes.insert(recording.notes.end(), notes.begin(), notes.end());
+    if (device.settings.is_damaged)
+        recording.warnings.push_back(id + ": what it states of itself cannot be read and was left out");
+    if (device.quaternion.rows() + device.matrix.rows() == 0 || choice.world)
+        return;
+    if (device.settings.world)
+        recording.notes.push_back(id + " states that its attitudes are in " +
+                                  worldFrameText(*device.settings.world) + ", and so they were taken");
+    else
+        recording.warnings.push_back(id +
+                                     ": does not say which axes its attitudes have; NWU was taken, its "
+                                     "factory setting (--world replaces it)");
 }
 
 Result<ImportedRecording> readXimu3(const std::vector<ImportFile>& files, const ImportChoice& choice,
@@ -197,8 +233,8 @@ Result<ImportedRecording> readXimu3(const std::vector<ImportFile>& files, const 
     if (!devices)
         return devices.error();
     ImportedRecording recording;
-    recording.name = files.front().stem();
-    const WorldFrame world = choice.world.value_or(WorldFrame::kNorthWestUp);
+    const auto first = std::ranges::find_if_not(files, isCommands);
+    recording.name = (first == files.end() ? files.front() : *first).stem();
     std::vector<double> starts;
     for (const auto& [id, device] : *devices) {
         if (device.inertial.rows() == 0)
@@ -210,8 +246,11 @@ Result<ImportedRecording> readXimu3(const std::vector<ImportFile>& files, const 
             return grid.error();
         if (choice.rate_hz > 0)
             grid->rate_hz = choice.rate_hz;
-        recording.sensors.push_back(
-            sensorOnGrid(id, rowsOfDevice(device, worldFromFile(world), grid->rate_hz), *grid));
+        recording.sensors.push_back(sensorOnGrid(
+            id, rowsOfDevice(device, worldFromFile(worldOf(device, choice)), grid->rate_hz), *grid));
+        ImportedSensor& sensor = recording.sensors.back();
+        if (!segmentByName(id))
+            sensor.segment = segmentByName(device.settings.name).value_or("");
         starts.push_back(grid->start_s);
         for (const std::string& finding : grid->findings(id))
             recording.warnings.push_back(finding);
@@ -222,10 +261,7 @@ Result<ImportedRecording> readXimu3(const std::vector<ImportFile>& files, const 
             recording.warnings.push_back(id +
                                          ": the recording was cut in the middle of a message or line, "
                                          "which was left out");
-        if (device.quaternion.rows() + device.matrix.rows() > 0 && !choice.world && recording.notes.empty())
-            recording.warnings.push_back(
-                "x-IMU3 does not say which axes its attitudes have; NWU was taken, its "
-                "factory setting (--world replaces it)");
+        sayWhatIsStated(id, device, choice, recording);
     }
     if (recording.sensors.empty())
         return Error{ErrorKind::kUnreadable, files.front().path + ": no device has inertial messages",

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/import/ximu3_commands.h"
 #include "core/job/job.h"
 
 namespace noctule {
@@ -23,12 +24,14 @@ struct Ximu3Device {
     Ximu3Table magnetometer;  ///< the device's own unit
     Ximu3Table quaternion;    ///< w x y z, sensor to earth
     Ximu3Table matrix;        ///< row by row
+    Ximu3Settings settings;   ///< as the device states them
     size_t damaged = 0;       ///< messages that could not be read
     bool cut = false;         ///< the last message has no end
 };
 
 /// Messages end with 0x0A. Text: letter, microseconds, values. Binary: letter | 0x80, u64 microseconds, f32
-/// values, with 0x0A and 0xDB stuffed. Commands and messages of other kinds are skipped.
+/// values, with 0x0A and 0xDB stuffed. Answers to commands are lines of JSON. Messages of other kinds are
+/// skipped.
 Result<Ximu3Device> parseXimu3(std::string_view bytes, const JobContext& job);
 
 }  // namespace noctule

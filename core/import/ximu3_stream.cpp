@@ -105,8 +105,13 @@ Result<Ximu3Device> parseXimu3(std::string_view bytes, const JobContext& job) {
         begin = end + 1;
         if (++messages % 4096 == 0 && job.cancelled())
             return JobContext::cancelledError();
-        if (message.empty() || message[0] == '{' || message[0] == '^')
+        if (message.empty() || message[0] == '^')
             continue;
+        if (message[0] == '{') {
+            if (message.size() <= kLongestMessage)
+                addXimu3Commands(message, device.settings);
+            continue;
+        }
         const bool binary = (static_cast<unsigned char>(message[0]) & 0x80) != 0;
         const StreamTable into = tableOfLetter(char(message[0] & 0x7F), device);
         if (!into.table)

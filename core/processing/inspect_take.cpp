@@ -207,7 +207,7 @@ private:
     Calibration calibration_;  ///< in force, else the nominal one
 };
 
-std::string metaText(const Take& take, const char* key) {
+std::string metaEntry(const Take& take, const char* key) {
     const auto found = take.meta().find(key);
     return found == take.meta().end() ? "" : found->second;
 }
@@ -215,8 +215,8 @@ std::string metaText(const Take& take, const char* key) {
 /// What is true of the take whatever suit is in view.
 void readHead(const Take& take, TakeInspection& in, Problems& problems) {
     in.path = take.path();
-    in.state = metaText(take, "state");
-    in.performer = metaText(take, "performer");
+    in.state = metaEntry(take, "state");
+    in.performer = metaEntry(take, "performer");
     in.level = take.level();
     in.missing = problems.keep(take.missingParts()).value_or(std::vector<std::string>{});
     in.notes = problems.keep(take.notes()).value_or(std::vector<NoteRow>{});
@@ -267,7 +267,7 @@ void inspectSuits(Take& take, TakeInspection& in, Problems& problems, const JobC
     if (!several)
         static_cast<SuitInspection&>(in) = SuitInspector(take, in.runs, "", {0, 1}, problems, job).inspect();
     if (in.reference_frames > 0)
-        in.reference_kind = metaText(take, "reference_kind");
+        in.reference_kind = metaEntry(take, "reference_kind");
 }
 
 /// Lists that are cut short, and rows that could not be read.

@@ -186,6 +186,41 @@ TEST(Ximu3, CsvAndStreamAgree) {
     EXPECT_TRUE(mentions(stream->notes, "deg/s"));
 }
 
+/// What a device answered to commands: its name tells the segment, its axes are those of its attitudes.
+TEST(Ximu3, CommandsAreReadAndSaid) {
+    const std::string commands =
+        R"([{"ping":{"interface":"UDP","name":"Left Foot","sn":"64F0EBCE"}},{"time":"2023-09-16 02:06:25"},)"
+        R"({"ahrs_axes_convention":1},{"calibration_date":"2023-01-02"},{"axes_alignment":3},)"
+        R"({"inertial_message_rate_divisor":8},{"wi_fi_client_key":"secret"}])";
+    const std::string quaternions =
+        "Timestamp (us),W,X,Y,Z\n1000000,1,0,0,0\n1002500,1,0,0,0\n1005000,1,0,0,0\n";
+    std::vector<ImportFile> files{{"rec/device 3/Command.json", commands},
+                                  {"rec/device 3/Inertial.csv", ximu3Csv()},
+                                  {"rec/device 3/Quaternion.csv", quaternions}};
+    const auto read = readAs(files);
+    ASSERT_TRUE(read) << read.error().text();
+    ASSERT_EQ(read->sensors.size(), 1u);
+    EXPECT_EQ(read->name, "Inertial") << "the tables name the recording";
+    EXPECT_EQ(read->sensors[0].id, "device 3");
+    EXPECT_EQ(read->sensors[0].segment, "LeftFoot") << "by the device's name";
+    for (const std::string words : {"'Left Foot', serial number 64F0EBCE", "2023-09-16 02:06:25", "ENU",
+                                    "2023-01-02", "axes alignment 3", "divisor of 8"})
+        EXPECT_TRUE(mentions(read->notes, words)) << words;
+    EXPECT_FALSE(mentions(read->notes, "secret"));
+    EXPECT_FALSE(mentions(read->warnings, "Command.json"));
+    EXPECT_FALSE(mentions(read->warnings, "NWU was taken"));
+    EXPECT_NEAR(read->sensors[0].samples.rate_hz, 400, 1e-6) << "time stamps tell the rate";
+    const Quaterniond stated = read->sensors[0].q_world_sensor[0];
+    files.erase(files.begin());
+    const auto unstated = readAs(files);
+    EXPECT_TRUE(mentions(unstated->warnings, "NWU was taken"));
+    EXPECT_NEAR(stated.angularDistance(unstated->sensors[0].q_world_sensor[0]), radians(90), 1e-9)
+        << "ENU and NWU differ by a quarter turn";
+    EXPECT_TRUE(unstated->sensors[0].segment.empty());
+    files.push_back({"rec/device 3/Command.json", "[{\"ping\":"});
+    EXPECT_TRUE(mentions(readAs(files)->warnings, "states of itself cannot be read"));
+}
+
 TEST(Ximu3, DamagedMessagesAreCountedAndACutOneIsSaid) {
     std::string bytes = ximu3Binary();
     bytes.insert(bytes.find('\n') + 1, std::string("\xC9garbage\n", 9));
