@@ -8,6 +8,7 @@
 #include "app/batch/files.h"
 #include "app/batch/takes.h"
 #include "app/batch/verb.h"
+#include "core/film/texture_decoder.h"
 #include "core/media/video_file.h"
 #include "core/processing/export_program.h"
 #include "core/processing/export_take.h"
@@ -252,7 +253,11 @@ Result<std::shared_ptr<const WearableBody>> readBody(const VerbContext& context)
             return bones.error();
         choices.bones = std::move(*bones);
     }
-    return readWearable(arguments.text("mesh"), choices, context.job());
+    auto body = readWearable(arguments.text("mesh"), choices, context.job());
+    if (body)
+        if (const auto undrawn = undrawnTextures((*body)->mesh, arguments.text("mesh")))
+            context.console.warn(undrawn->text() + ".");
+    return body;
 }
 
 Result<Outcome> writeOneFile(const VerbContext& context, const std::vector<ExportRequest>& requests) {

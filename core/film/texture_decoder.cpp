@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
+#include "core/media/media_backend.h"
 #include "core/media/picture_file.h"
 
 namespace noctule {
@@ -24,6 +25,22 @@ void decodeTexture(SurfaceTexture& texture, int side_px) {
     texture.width_px = picture->width_px;
     texture.height_px = picture->height_px;
     texture.rgba = std::move(picture->rgba);
+}
+
+std::optional<Error> undrawnTextures(const RiggedMesh& mesh, const std::string& where) {
+    const auto textures = texturesOf(mesh.skin.surface);
+    const auto undrawn =
+        std::ranges::count_if(textures, [](const auto& texture) { return texture->rgba.empty(); });
+    if (undrawn == 0)
+        return std::nullopt;
+    if (const auto backend = mediaBackend(); !backend)
+        return Error{backend.error().kind,
+                     where + ": its textures are not drawn: " + backend.error().message,
+                     backend.error().remedy};
+    return Error{ErrorKind::kUnreadable,
+                 where + ": " + std::to_string(undrawn) + " of " + std::to_string(textures.size()) +
+                     " textures are damaged pictures and are not drawn",
+                 "Save them again as PNG or JPEG"};
 }
 
 }  // namespace noctule

@@ -34,6 +34,7 @@ SharedContext::SharedContext(StudioParts parts, QObject* parent)
       session_(jobs_, [this] { return sessionsFolder(); }),
       shown_body_(jobs_, session_) {
     connect(&shown_body_, &ShownBody::failed, this, &SharedContext::failed);
+    connect(&shown_body_, &ShownBody::warned, this, &SharedContext::warned);
     loadBody();
 }
 

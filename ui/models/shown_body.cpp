@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <algorithm>
 
+#include "core/film/texture_decoder.h"
 #include "core/mesh/import/mesh_reader.h"
 #include "core/mesh/surface_graph.h"
 #include "ui/language/core_words.h"
@@ -41,6 +42,7 @@ Result<ReadBody> readBodyFrom(const std::string& path, const WearingChoices& cho
         }
         read.mesh = std::make_shared<const RiggedMesh>(std::move(*mesh));
     }
+    read.textures = undrawnTextures(*read.mesh, path);
     job.progress(0.5, read.mesh->isRigged() ? ShownBody::tr("Finding bones").toStdString()
                                             : ShownBody::tr("Fitting a skeleton").toStdString());
     auto body = wearable(*read.mesh, path, choices, {nullptr, job.cancel});
@@ -122,6 +124,8 @@ void ShownBody::keep(const SessionBody& body, ReadBody read) {
     read_ = std::move(read);
     if (read_.problem)
         emit failed(coreWords(read_.problem->message), coreWords(read_.problem->remedy));
+    else if (read_.textures)
+        emit warned(coreWords(read_.textures->message) + ". " + coreWords(read_.textures->remedy) + ".");
     emit changed();
 }
 

@@ -33,6 +33,7 @@ struct ReadBody {
     std::shared_ptr<const RiggedMesh> mesh;
     std::shared_ptr<const WearableBody> body;
     std::optional<Error> problem;            ///< of the body; without a mesh of the file
+    std::optional<Error> textures{};         ///< why some are not drawn
     std::optional<StandingMesh> standing{};  ///< of a mesh without bones
 };
 
@@ -53,6 +54,8 @@ signals:
     void changed();
     /// The session's mesh cannot be shown: what happened, and what to do.
     void failed(const QString& what, const QString& remedy);
+    /// It is shown, but not all of it: whole sentences.
+    void warned(const QString& what);
 
 private:
     void follow();
