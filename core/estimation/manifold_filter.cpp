@@ -102,7 +102,7 @@ ManifoldFilter::ManifoldFilter(const Skeleton& skeleton, SuitModel suit, const M
       tree_(parameters.joints_give ? givingSkeleton(skeleton, turning_joints_) : skeleton,
             BallCoordinates::kManifold),
       suit_(moved(std::move(suit), KinematicTree(skeleton, BallCoordinates::kManifold), tree_)),
-      mounting_rad2_(mountingCovariances(suit_, tree_)),
+      mounting_rad2_(mountingCovariances(suit_, tree_, parameters.unstated_mounting_rad)),
       layout_(makeLayout(tree_.freedoms(), suit_, parameters_)),
       observations_(tree_, suit_, layout_, parameters_.g_m_per_s2),
       step_s_(1.0 / (kInertialFramesPerSecond * parameters_.steps_per_frame)),

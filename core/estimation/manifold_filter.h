@@ -84,6 +84,11 @@ struct ManifoldParameters {
 
     double prior_interval_s = 0.1;
 
+    /// Standard deviation, about each axis, of a board's mounting of which the calibration states none: after
+    /// a rest pose alone, straps and soft tissue leave some degrees. Added to the joints' sigmas that come
+    /// out; the filter itself does not know it.
+    double unstated_mounting_rad = radians(2.5);
+
     bool joints_give = true;  ///< of people; a robot's are exactly the skeleton's
     GiveParameters give;
 

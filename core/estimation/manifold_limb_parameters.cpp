@@ -83,6 +83,11 @@ ManifoldRows limbRangingRows() {
 
 ManifoldRows jointLaxityRows() {
     return {
+        {"mounting.unstated_sigma", "rad", 0, 1,
+         at(&ManifoldSetup::filter, &ManifoldParameters::unstated_mounting_rad),
+         "Standard deviation per axis of a board's mounting where the calibration states none "
+         "(sigma_mounting_rad). Only added to the joints' sigmas. Larger: wider sigmas, the same poses.",
+         "a rest pose leaves 2.2 degrees per axis on simulated persons; soft tissue: Leardini 2005"},
         {"joint_laxity.estimated", "switch", 0, 1,
          at(&ManifoldSetup::filter, &ManifoldParameters::joints_give),
          "Let joints deviate from the actor's axes. 0: exact joints, as of a robot.",

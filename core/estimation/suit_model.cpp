@@ -59,16 +59,19 @@ PlacedBoard placeBoard(const MountedBoard& board, const KinematicTree& tree, con
             E * rightJacobian(tilt) * (flesh.tilt_rad * rates)};
 }
 
-std::vector<Matrix3d> mountingCovariances(const SuitModel& suit, const KinematicTree& tree) {
+std::vector<Matrix3d> mountingCovariances(const SuitModel& suit, const KinematicTree& tree,
+                                          double unstated_rad) {
     std::vector<Matrix3d> covariances(tree.links().size(), Matrix3d::Zero());
     std::vector<int> boards(tree.links().size(), 0);
-    for (const MountedBoard& board : suit.boards)
-        if (board.link >= 0 && !board.sigma_mounting_rad.isZero()) {
-            const auto link = static_cast<size_t>(board.link);
-            const Matrix3d of_board = board.sigma_mounting_rad.cwiseAbs2().asDiagonal();
-            covariances[link] += board.R_link_board * of_board * board.R_link_board.transpose();
-            ++boards[link];
-        }
+    for (const MountedBoard& board : suit.boards) {
+        const Vector3d sigma_rad = board.sigma_mounting_rad.value_or(Vector3d::Constant(unstated_rad));
+        if (board.link < 0 || sigma_rad.isZero())
+            continue;
+        const auto link = static_cast<size_t>(board.link);
+        const Matrix3d of_board = sigma_rad.cwiseAbs2().asDiagonal();
+        covariances[link] += board.R_link_board * of_board * board.R_link_board.transpose();
+        ++boards[link];
+    }
     for (size_t link = 0; link < covariances.size(); ++link)
         covariances[link] /= std::max(1, boards[link]);
     return covariances;
@@ -91,8 +94,7 @@ Result<SuitModel> mountSuit(const Suit& suit, const Calibration& calibration, co
             {linkOf(board.segment, actor, tree), p, q.toRotationMatrix(), p + q * board.p_board_mic_m});
         model.boards.back().rate_hz = board.rate_hz;
         const BoardCalibration* known = calibration.findBoard(board.id);
-        if (known && known->sigma_mounting_rad)
-            model.boards.back().sigma_mounting_rad = *known->sigma_mounting_rad;
+        model.boards.back().sigma_mounting_rad = known ? known->sigma_mounting_rad : std::nullopt;
         if (!known || !known->flesh || model.boards.back().link < 0)
             continue;
         auto flesh = mountFlesh(*known->flesh, board.id, actor);

@@ -28,8 +28,8 @@ struct MountedBoard {
     Vector3d p_link_mic = Vector3d::Zero();
     std::optional<MountedFlesh> flesh = {};
     double rate_hz = kUsualBoardRate_hz;  ///< nominal
-    /// Of R_link_board, about the board's axes; zero: the calibration states none.
-    Vector3d sigma_mounting_rad = Vector3d::Zero();
+    /// Of R_link_board, about the board's axes; zero: known exactly, none: the calibration states nothing.
+    std::optional<Vector3d> sigma_mounting_rad = Vector3d::Zero();
 };
 
 /// A board where the flesh has taken it; in the link's frame.
@@ -57,8 +57,10 @@ struct SuitModel {
 };
 
 /// Per link, in its frame, rad^2: covariance of its attitude caused by its boards' mountings. Several boards
-/// share what they err by, the rest pose, so their mean is no better than one.
-std::vector<Matrix3d> mountingCovariances(const SuitModel& suit, const KinematicTree& tree);
+/// share what they err by, the rest pose, so their mean is no better than one. `unstated_rad`: standard
+/// deviation about each axis where nothing is stated.
+std::vector<Matrix3d> mountingCovariances(const SuitModel& suit, const KinematicTree& tree,
+                                          double unstated_rad);
 
 /// Fails (kUnusable) and names board or source when a joint of its flesh or a segment is not in the actor's
 /// skeleton.

@@ -34,8 +34,7 @@ std::optional<Error> undrawnTextures(const RiggedMesh& mesh, const std::string& 
     if (undrawn == 0)
         return std::nullopt;
     if (const auto backend = mediaBackend(); !backend)
-        return Error{backend.error().kind,
-                     where + ": its textures are not drawn: " + backend.error().message,
+        return Error{backend.error().kind, where + ": its textures are not drawn: " + backend.error().message,
                      backend.error().remedy};
     return Error{ErrorKind::kUnreadable,
                  where + ": " + std::to_string(undrawn) + " of " + std::to_string(textures.size()) +

@@ -87,6 +87,8 @@ Calibration laboratoryCalibration(const Suit& suit, const Scenario& scenario, co
         found.accel = asCalibrated(board.accel.calibration, scenario.accel_matrix_error,
                                    Random(truth.seed, "accel calibration", b));
         found.mic_delay_s = truth.sound.boards[b].mic_delay_s;
+        if (scenario.mounting_rad == 0)
+            found.sigma_mounting_rad = Vector3d::Zero();  // boards hang exactly as the suit says
         calibration.boards.push_back(found);
     }
     return calibration;

@@ -56,13 +56,27 @@ TEST_F(MountingSigma, SeveralBoardsOnALinkShareWhatTheyErrBy) {
     const Matrix3d expected = 4e-4 * x * x.transpose() + 1e-4 * z * z.transpose();
     for (const size_t boards : {1u, 2u}) {
         suit.boards.assign(boards, board);
-        EXPECT_LT((mountingCovariances(suit, tree)[kArm] - expected).norm(), 1e-12) << boards;
+        EXPECT_LT((mountingCovariances(suit, tree, 0.5)[kArm] - expected).norm(), 1e-12) << boards;
     }
-    suit.boards[1].sigma_mounting_rad.setZero();
-    EXPECT_LT((mountingCovariances(suit, tree)[kArm] - expected).norm(), 1e-12) << "of one nothing is stated";
+    suit.boards[1].sigma_mounting_rad = Vector3d::Zero();
+    EXPECT_LT((mountingCovariances(suit, tree, 0.5)[kArm] - expected).norm(), 1e-12) << "one is exact";
     suit.boards[0].link = -1;
-    EXPECT_EQ(mountingCovariances(suit, tree)[0], Matrix3d::Zero())
+    EXPECT_EQ(mountingCovariances(suit, tree, 0.5)[0], Matrix3d::Zero())
         << "what stands in the room is on no link";
+}
+
+/// After a rest pose alone nothing is stated, which is not the same as zero.
+TEST_F(MountingSigma, WhereNothingIsStatedIsAssumed) {
+    Calibration calibration = nominalCalibration(testing::smallSuit());
+    const auto ofTheHips = [&] {
+        const Actor actor = testing::actorOf(skeleton);
+        const SuitModel suit = mountSuit(testing::smallSuit(), calibration, actor, tree).value();
+        return mountingCovariances(suit, tree, 0.03)[0];
+    };
+    EXPECT_LT((ofTheHips() - 9e-4 * Matrix3d::Identity()).norm(), 1e-12);
+    for (BoardCalibration& board : calibration.boards)
+        board.sigma_mounting_rad = Vector3d::Zero();
+    EXPECT_EQ(ofTheHips(), Matrix3d::Zero()) << "stated to be exact";
 }
 
 /// A neck that does not turn hides the chest from the head no more than a link of no board would.
@@ -87,7 +101,7 @@ TEST(MountingSigmas, ReachThroughFixedJoints) {
 
 /// Mean of |error|^2 / (3 sigma^2) of the chest against the hips, whose attitude is given, over runs in each
 /// of which the chest's board hangs otherwise than believed.
-double neesOfTheChest(const Vector3d& stated_rad) {
+double neesOfTheChest(const std::optional<Vector3d>& stated_rad) {
     constexpr double kTurned_rad = radians(2);
     constexpr unsigned kRuns = 24;
     double nees = 0;
@@ -118,11 +132,13 @@ double neesOfTheChest(const Vector3d& stated_rad) {
 
 TEST(MountingSigmas, AreHonestWhereBoardsHangOtherwiseThanBelieved) {
     const double stated = neesOfTheChest(Vector3d::Constant(radians(2))),
-                 silent = neesOfTheChest(Vector3d::Zero());
+                 silent = neesOfTheChest(Vector3d::Zero()), assumed = neesOfTheChest(std::nullopt);
     // 24 runs of three axes: the mean spreads by 0.2.
     EXPECT_GT(stated, 0.6);
     EXPECT_LT(stated, 1.6);
     EXPECT_GT(silent, 5) << "else the test tells nothing";
+    EXPECT_GT(assumed, 0.3) << "2 degrees, where 2.5 are assumed";
+    EXPECT_LT(assumed, 1.6);
 }
 
 }  // namespace

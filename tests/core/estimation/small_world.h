@@ -15,6 +15,8 @@ public:
           tree(smallSkeleton(), BallCoordinates::kManifold),
           random(seed),
           suit(mountSuit(smallSuit(), {}, actorOf(smallSkeleton()), tree).value()) {
+        for (MountedBoard& board : suit.boards)
+            board.sigma_mounting_rad = Vector3d::Zero();  // they hang exactly so
         motion = tree.stateFromPose(smallSkeleton().zeroPose());
         const int n = tree.freedoms();
         tree.retract(motion, random.vector(n, p.initial_pose_rad));
