@@ -40,7 +40,10 @@ std::optional<WorldFrame> frameOf(const json::Json& value) {
 void addAnswer(const std::string& key, const json::Json& value, Ximu3Settings& settings) {
     if (key == "ping" && value.is_object()) {
         for (const auto& [member, of] : value.items())
-            addAnswer(member == "name" ? "devicename" : member == "sn" ? "serialnumber" : "", of, settings);
+            if (member == "name")
+                settings.name = shortValue(of);
+            else if (member == "sn")
+                settings.serial_number = shortValue(of);
     } else if (key == "devicename") {
         settings.name = shortValue(value);
     } else if (key == "serialnumber") {
@@ -77,8 +80,8 @@ std::vector<std::string> ximu3Notes(const std::string& id, const Ximu3Settings& 
                         (settings.serial_number.empty() ? "unknown" : settings.serial_number) +
                         (settings.time.empty() ? "" : ", by its clock at " + settings.time));
     if (!settings.calibration_date.empty())
-        notes.push_back(id + " was calibrated by its maker or user, stated date " +
-                        settings.calibration_date + ": its readings hold that, nothing was applied again");
+        notes.push_back(id + " states a calibration of " + settings.calibration_date +
+                        ": its readings contain it, nothing was applied again");
     if (settings.axes_alignment.value_or(0) > 0)
         notes.push_back(id + " turns its axes itself (axes alignment " +
                         std::to_string(*settings.axes_alignment) + "): its readings were taken as they are");

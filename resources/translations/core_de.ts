@@ -1714,8 +1714,16 @@
         <translation>%1 Bilder statt %2</translation>
     </message>
     <message>
+        <source>%1: %2 of %3 textures are damaged pictures and are not drawn</source>
+        <translation>%1: %2 von %3 Texturen sind beschädigte Bilder und werden nicht gezeichnet</translation>
+    </message>
+    <message>
         <source>%1: cannot be written: No space left on device</source>
         <translation>%1: lässt sich nicht schreiben: Auf dem Datenträger ist kein Platz mehr</translation>
+    </message>
+    <message>
+        <source>%1: its textures are not drawn: %2</source>
+        <translation>%1: Die Texturen werden nicht gezeichnet: %2</translation>
     </message>
     <message>
         <source>%1: what was written does not read back the same (%2)</source>
@@ -1732,6 +1740,10 @@
     <message>
         <source>Reading %1 again</source>
         <translation>%1 wird zurückgelesen</translation>
+    </message>
+    <message>
+        <source>Save them again as PNG or JPEG</source>
+        <translation>Speichern Sie sie neu als PNG oder JPEG</translation>
     </message>
     <message>
         <source>another frame rate</source>
@@ -2272,6 +2284,10 @@
         <translation>%1 enthält %2, was keine Zahl ist</translation>
     </message>
     <message>
+        <source>%1 is '%2', serial number %3%4</source>
+        <translation>%1 ist „%2“, Seriennummer %3%4</translation>
+    </message>
+    <message>
         <source>%1 is no file of this kind and was left out</source>
         <translation>%1 ist keine Datei dieser Art und wurde ausgelassen</translation>
     </message>
@@ -2286,6 +2302,22 @@
     <message>
         <source>%1 sensors are named for %2; none of them was put there</source>
         <translation>%1 Sensoren sind nach %2 benannt; keiner davon wurde dort angebracht</translation>
+    </message>
+    <message>
+        <source>%1 states a calibration of %2: its readings contain it, nothing was applied again</source>
+        <translation>%1 gibt eine Kalibrierung vom %2 an: Die Messwerte enthalten sie, nichts wurde noch einmal angewandt</translation>
+    </message>
+    <message>
+        <source>%1 states an inertial message rate divisor of %2; the rate was taken from its time stamps</source>
+        <translation>%1 gibt den Teiler %2 der Rate inertialer Nachrichten an; die Rate stammt aus den Zeitstempeln</translation>
+    </message>
+    <message>
+        <source>%1 states that its attitudes are in %2, and so they were taken</source>
+        <translation>%1 gibt an, dass seine Lagen in %2 stehen, und so wurden sie genommen</translation>
+    </message>
+    <message>
+        <source>%1 turns its axes itself (axes alignment %2): its readings were taken as they are</source>
+        <translation>%1 dreht seine Achsen selbst (axes alignment %2): Die Messwerte wurden genommen, wie sie sind</translation>
     </message>
     <message>
         <source>%1: %2 messages are damaged and were left out</source>
@@ -2330,6 +2362,10 @@
     <message>
         <source>%1: device %2 has no inertial messages</source>
         <translation>%1: Gerät %2 hat keine Inertial-Nachrichten</translation>
+    </message>
+    <message>
+        <source>%1: does not say which axes its attitudes have; NWU was taken, its factory setting (--world replaces it)</source>
+        <translation>%1: sagt nicht, welche Achsen die Lagen haben; NWU wurde angenommen, die Werkseinstellung (--world ersetzt sie)</translation>
     </message>
     <message>
         <source>%1: does not say which axis points up</source>
@@ -2466,6 +2502,14 @@
     <message>
         <source>%1: two sensors are named %2</source>
         <translation>%1: zwei Sensoren heißen %2</translation>
+    </message>
+    <message>
+        <source>%1: what it states of itself cannot be read and was left out</source>
+        <translation>%1: Was es über sich selbst angibt, kann nicht gelesen werden und wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>, by its clock at %1</source>
+        <translation>, nach seiner Uhr am %1</translation>
     </message>
     <message>
         <source>: %zu of %zu rows are lost in %zu gaps, the longest of %.2f s</source>
@@ -3132,12 +3176,12 @@
         <translation>zwei Spalten sind die Zeit, die zweite ist %1</translation>
     </message>
     <message>
-        <source>world is %1</source>
-        <translation>world ist %1</translation>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
     </message>
     <message>
-        <source>x-IMU3 does not say which axes its attitudes have; NWU was taken, its factory setting (--world replaces it)</source>
-        <translation>x-IMU3 sagt nicht, welche Achsen die Lagen haben; NWU wurde angenommen, die Werkseinstellung (--world ersetzt sie)</translation>
+        <source>world is %1</source>
+        <translation>world ist %1</translation>
     </message>
     <message>
         <source>x-IMU3: folders of CSV tables, or .ximu3</source>
@@ -4433,6 +4477,10 @@
         <translation>Die Aufnahme noch einmal exportieren</translation>
     </message>
     <message>
+        <source>Fewer than three anchors agree with each other: several were moved, or the room was surveyed wrongly. Places and headings in the room cannot be trusted. Survey the room again.</source>
+        <translation>Weniger als drei Anker stimmen miteinander überein: Mehrere wurden bewegt, oder der Raum wurde falsch eingemessen. Orten und Richtungen im Raum ist nicht zu trauen. Den Raum neu einmessen.</translation>
+    </message>
+    <message>
         <source>Finding the clocks</source>
         <translation>Uhren werden gesucht</translation>
     </message>
@@ -4583,6 +4631,10 @@
     <message>
         <source>Not usable: %1</source>
         <translation>Nicht brauchbar: %1</translation>
+    </message>
+    <message>
+        <source>Nothing corrected the heading in the %1 minutes after the rest pose: estimator %2 keeps the gyroscopes' zeros of then. The heading drifts by 1 to 3° a minute, and so do joints that ranges do not back. Estimator manifold follows the zeros.</source>
+        <translation>In den %1 Minuten nach der Ruhehaltung hat nichts die Blickrichtung berichtigt: Der Schätzer %2 behält die Nullpunkte der Gyroskope von damals. Die Blickrichtung driftet um 1 bis 3° je Minute, ebenso Gelenke, die keine Abstände stützen. Der Schätzer manifold folgt den Nullpunkten.</translation>
     </message>
     <message>
         <source>Of %1 %2 only the first %3 are listed.</source>
@@ -5211,10 +5263,6 @@
     <message>
         <source>turns before deg</source>
         <translation>Drehungen vorher deg</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>unbekannt</translation>
     </message>
     <message>
         <source>with --root given another system says where everybody is</source>
