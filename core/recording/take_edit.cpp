@@ -114,6 +114,15 @@ Status TakeEdit::setContacts(const std::optional<std::vector<FootContacts>>& con
     return contacts ? addContacts(kPrimaryRun, *contacts, suit) : Done{};
 }
 
+Status TakeEdit::removeMeta(const std::string& key) {
+    if (!schema().has("meta"))
+        return Done{};
+    auto remove = database().prepare("DELETE FROM meta WHERE key=?");
+    if (!remove)
+        return remove.error();
+    return remove->bind(0, std::string_view(key)).run();
+}
+
 Status TakeEdit::removeReference(int suit) {
     suit = seen(suit);
     return removeRows("reference",

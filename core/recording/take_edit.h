@@ -23,6 +23,8 @@ public:
     Status removeMarker(const MarkerRow& row, int suit = kSuitInView);
     /// What the operator says of the feet; nothing: what each run has found holds again.
     Status setContacts(const std::optional<std::vector<FootContacts>>& contacts, int suit = kSuitInView);
+    /// Nothing happens when there is no such entry.
+    Status removeMeta(const std::string& key);
     Status removeReference(int suit = kSuitInView);
     Status removeExternalRoot(int suit = kSuitInView);
 

@@ -7560,6 +7560,10 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <source>A motion, markers or positions of another system, to compare with.</source>
         <translation>Eine Bewegung, Marker oder Positionen eines anderen Systems, zum Vergleichen.</translation>
     </message>
+    <message>
+        <source>Attach %1 to %2</source>
+        <translation>%1 an %2 anhängen</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::RenderThread</name>
@@ -10597,6 +10601,10 @@ Drehen, beide Richtungen x3</translation>
     <message>
         <source>Writing the places of anchors into %1</source>
         <translation>Die Orte der Anker werden in %1 geschrieben</translation>
+    </message>
+    <message>
+        <source>Writing what is attached into %1</source>
+        <translation>Was angehängt ist, wird in %1 geschrieben</translation>
     </message>
 </context>
 <context>

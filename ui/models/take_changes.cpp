@@ -20,14 +20,18 @@ Status write(const std::string& path, const TakeChange& change, const JobContext
         std::vector<std::string> lacking;  // anchors that could not be placed, as the survey has said
         return placeAnchors(path, room->after, room->created_utc, lacking);
     }
+    if (const auto* attached = std::get_if<AttachedChange>(&change))
+        return putBackAttached(path, *attached->after, job);
     return changeContacts(path, std::get<ContactsChange>(change), job);
 }
 
 QString titleOf(const TakeChange& change, const QString& take) {
     if (std::holds_alternative<MarkerChange>(change))
         return TakeChanges::tr("Writing a marker into %1").arg(take);
-    return std::holds_alternative<RoomChange>(change)
-               ? TakeChanges::tr("Writing the places of anchors into %1").arg(take)
+    if (std::holds_alternative<RoomChange>(change))
+        return TakeChanges::tr("Writing the places of anchors into %1").arg(take);
+    return std::holds_alternative<AttachedChange>(change)
+               ? TakeChanges::tr("Writing what is attached into %1").arg(take)
                : TakeChanges::tr("Writing contacts into %1").arg(take);
 }
 
@@ -36,8 +40,13 @@ QString titleOf(const TakeChange& change, const QString& take) {
 /// Remembers the change and the file, also when the file gets another name.
 class TakeCommand : public QObject, public QUndoCommand {
 public:
-    TakeCommand(TakeChanges& changes, const QString& what, const TakeChange& change)
-        : QUndoCommand(what), changes_(&changes), path_(changes.take_.path()), change_(change) {
+    TakeCommand(TakeChanges& changes, const QString& what, const QString& path, const TakeChange& change,
+                TakeChanges::Written written)
+        : QUndoCommand(what),
+          changes_(&changes),
+          path_(path),
+          change_(change),
+          step_(std::make_shared<TakeChanges::Written>(written)) {
         connect(&changes.session_, &SessionModel::takeRenamed, this,
                 [this](const QString& before, const QString& now) {
                     if (path_ == before)
@@ -62,15 +71,18 @@ private:
     QPointer<TakeChanges> changes_;
     QString path_;
     TakeChange change_;
-    std::shared_ptr<TakeChanges::Written> step_ =
-        std::make_shared<TakeChanges::Written>(TakeChanges::Written::kNotYet);
+    std::shared_ptr<TakeChanges::Written> step_;
 };
 
 TakeChanges::TakeChanges(Jobs& jobs, SessionModel& session, TakeDocument& take, QObject* parent)
     : QObject(parent), jobs_(jobs), session_(session), take_(take) {}
 
 void TakeChanges::push(const QString& what, const TakeChange& change) {
-    session_.undoStack().push(new TakeCommand(*this, what, change));
+    session_.undoStack().push(new TakeCommand(*this, what, take_.path(), change, Written::kNotYet));
+}
+
+void TakeChanges::pushWritten(const QString& what, const QString& take_path, const TakeChange& change) {
+    session_.undoStack().push(new TakeCommand(*this, what, take_path, change, Written::kDone));
 }
 
 void TakeChanges::enqueue(Order order) {

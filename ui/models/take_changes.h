@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the operator changes in the file of a take (markers, contacts of the feet, places of anchors): each a
-// step on the session's undo stack, written by jobs one after the other in the order in which the steps were
-// made.
+// What the operator changes in the file of a take (markers, contacts of the feet, places of anchors, what is
+// attached): each a step on the session's undo stack, written by jobs one after the other in the order in
+// which the steps were made.
 #pragma once
 
 #include <QObject>
@@ -10,6 +10,7 @@
 #include <memory>
 #include <variant>
 
+#include "core/processing/attached_motion.h"
 #include "core/processing/survey_room.h"
 #include "core/processing/take_contacts.h"
 #include "core/processing/take_markers.h"
@@ -18,7 +19,7 @@
 
 namespace noctule::ui {
 
-using TakeChange = std::variant<MarkerChange, ContactsChange, RoomChange>;
+using TakeChange = std::variant<MarkerChange, ContactsChange, RoomChange, AttachedChange>;
 
 class TakeChanges : public QObject {
     Q_OBJECT
@@ -27,6 +28,8 @@ public:
 
     /// A step of the open take; `what` as the undo stack tells it.
     void push(const QString& what, const TakeChange& change);
+    /// A step that a job has written into a take already.
+    void pushWritten(const QString& what, const QString& take_path, const TakeChange& change);
 
     /// Of one kind for a take, in the order in which they will be written.
     template <class Change>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Out of a take (export, inspect) and into it (attach).
 #include "core/formats/bvh.h"
-#include "core/processing/attach_reference.h"
+#include "core/processing/attached_motion.h"
 #include "core/processing/export_take.h"
 #include "core/processing/inspect_take.h"
 #include "tests/core/processing/made_take.h"
@@ -164,6 +164,34 @@ TEST_F(TakeFiles, AMotionThatDoesNotMatchIsNotAligned) {
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().kind, ErrorKind::kUnusable);
     EXPECT_NE(refused.error().text().find("still.bvh"), std::string::npos);
+}
+
+/// A take that had no reference has none again, nor anything that is said of one.
+TEST_F(TakeFiles, WhatWasAttachedIsTakenOutAndPutBack) {
+    const auto attached = [this] { return attachedMotion(path(), AttachAs::kReference, {}).value(); };
+    const AttachedMotion none = attached();
+    ASSERT_FALSE(none.isThere());
+    ExportRequest out;
+    out.take_path = path();
+    out.bvh_path = file("optical.bvh");
+    ASSERT_TRUE(exportTake(out, {}));
+    AttachRequest request;
+    request.take_path = path();
+    request.source_name = out.bvh_path;
+    request.motion = toClip(readBvh(out.bvh_path).value(), BvhUnit::kCentimetre).value();
+    request.shift_s = 0;
+    ASSERT_TRUE(attachReference(request, {}));
+    const AttachedMotion some = attached();
+    ASSERT_TRUE(some.isThere());
+    EXPECT_EQ(some.meta.at("reference_kind"), "optical");
+
+    ASSERT_TRUE(putBackAttached(path(), none, {}));
+    EXPECT_FALSE(attached().isThere());
+    EXPECT_EQ(attached().meta, none.meta);
+    ASSERT_TRUE(putBackAttached(path(), some, {}));
+    EXPECT_EQ(attached().meta, some.meta);
+    ASSERT_EQ(attached().reference.size(), some.reference.size());
+    EXPECT_EQ(attached().reference[9].pose->p_world_root, some.reference[9].pose->p_world_root);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <QMimeData>
 
 #include "core/processing/export_take.h"
+#include "core/recording/take.h"
 #include "tests/ui/views/reviewed_session.h"
 #include "ui/views/review/attach_dialog.h"
 #include "ui/views/review/choice_row.h"
@@ -91,6 +92,36 @@ TEST_F(ReferencePanelTest, ItMayBeginAtATimeThatIsGiven) {
         QTest::mouseClick(dialog.actionButton(), Qt::LeftButton);
     });
     EXPECT_TRUE(waitFor([this] { return says("aligned by 1.000"); }));
+}
+
+TEST_F(ReferencePanelTest, ReplacingAReferenceCanBeUndoneAndDoneAgain) {
+    const auto reference = [this] {
+        const auto take = Take::open(takePath("swing_001").toStdString());
+        return take ? take->reference()->frames : std::vector<TimedPose>();
+    };
+    const auto before = reference();
+    UndoHistory& undo = studio_->session().undoStack();
+    const int steps = undo.count();
+    drop(outsideFile("optical.bvh"),
+         [](AttachDialog& dialog) { QTest::mouseClick(dialog.actionButton(), Qt::LeftButton); });
+    ASSERT_EQ(undo.count(), steps + 1);
+    EXPECT_EQ(undo.undoText(), "Attach optical.bvh to swing_001");
+    const size_t attached = reference().size();
+    ASSERT_NE(attached, before.size());
+
+    undo.undo();
+    ASSERT_TRUE(waitFor([this] { return studio_->take().overview()->reference_kind == "simulated"; }));
+    ASSERT_TRUE(waitFor([this] { return jobsAreDone(); }));
+    const auto again = reference();
+    ASSERT_EQ(again.size(), before.size());
+    EXPECT_EQ(again.back().pose->p_world_root, before.back().pose->p_world_root);
+    EXPECT_EQ(again.back().pose->q_parent_joint.back().coeffs(),
+              before.back().pose->q_parent_joint.back().coeffs());
+    EXPECT_TRUE(waitFor([this] { return says("Truth of the simulation"); }));
+
+    undo.redo();
+    ASSERT_TRUE(waitFor([this] { return says("aligned by"); }));
+    EXPECT_EQ(reference().size(), attached);
 }
 
 TEST_F(ReferencePanelTest, ADialogThatIsLeftChangesNothing) {

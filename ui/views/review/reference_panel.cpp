@@ -25,7 +25,34 @@ namespace {
 struct Attached {
     AttachSummary summary;
     std::vector<std::string> warnings;
+    AttachedChange change;
 };
+
+std::shared_ptr<const AttachedMotion> shared(Result<AttachedMotion> motion) {
+    return motion ? std::make_shared<const AttachedMotion>(std::move(*motion)) : nullptr;
+}
+
+/// With its way back, unless what it replaces cannot be read.
+Result<Attached> attachTo(const std::string& take_path, const AttachChoice& choice,
+                          const JobContext& context) {
+    Attached attached;
+    auto request = readAttachment(choice.path.toStdString(), attached.warnings, context);
+    if (!request)
+        return request.error();
+    request->take_path = take_path;
+    request->as = choice.as;
+    request->shift_s = choice.shift_s;
+    request->overwrite = choice.overwrite;
+    attached.change.before = shared(attachedMotion(take_path, choice.as, context));
+    auto summary = attachReference(*request, context);
+    if (!summary)
+        return summary.error();
+    attached.change.after = shared(attachedMotion(take_path, choice.as, {}));
+    attached.summary = std::move(*summary);
+    attached.warnings.insert(attached.warnings.end(), attached.summary.warnings.begin(),
+                             attached.summary.warnings.end());
+    return attached;
+}
 
 /// Names of files that can be attached, as a file dialog has them.
 const QString& namePatterns() {
@@ -38,6 +65,11 @@ QString motionFile(const QMimeData& dragged) {
         if (QDir::match(namePatterns().split(' '), QFileInfo(url.toLocalFile()).fileName()))
             return url.toLocalFile();
     return {};
+}
+
+/// Steps of one session cannot be undone in another.
+std::string folderOf(const SessionModel& session) {
+    return session.isOpen() ? session.session().folder.string() : std::string();
 }
 
 }  // namespace
@@ -151,32 +183,23 @@ void ReferencePanel::ask(const QString& path) {
 }
 
 void ReferencePanel::attach(const AttachChoice& choice) {
-    const std::string take_path = review_.take().path().toStdString();
+    const QString take_path = review_.take().path(), file = QFileInfo(choice.path).fileName(),
+                  take = openTakeName(review_);
+    SessionModel& session = review_.shared().session();
     Job* job = review_.shared().jobs().start<Attached>(
-        tr("Attaching %1 to %2").arg(QFileInfo(choice.path).fileName(), openTakeName(review_)),
-        [take_path, choice](const JobContext& context) -> Result<Attached> {
-            Attached attached;
-            auto request = readAttachment(choice.path.toStdString(), attached.warnings, context);
-            if (!request)
-                return request.error();
-            request->take_path = take_path;
-            request->as = choice.as;
-            request->shift_s = choice.shift_s;
-            request->overwrite = choice.overwrite;
-            const auto summary = attachReference(*request, context);
-            if (!summary)
-                return summary.error();
-            attached.summary = *summary;
-            attached.warnings.insert(attached.warnings.end(), summary->warnings.begin(),
-                                     summary->warnings.end());
-            return attached;
+        tr("Attaching %1 to %2").arg(file, take),
+        [path = take_path.toStdString(), choice](const JobContext& context) {
+            return attachTo(path, choice, context);
         },
-        [self = QPointer(this), take_path,
-         kept = review_.shared().session().keepInPlace(review_.take().path())](
-            Result<Attached> attached) -> QString {
+        [self = QPointer(this), take_path, what = tr("Attach %1 to %2").arg(file, take),
+         folder = folderOf(session),
+         kept = session.keepInPlace(take_path)](Result<Attached> attached) -> QString {
             if (!attached)
                 return {};
-            if (self && self->review_.take().path().toStdString() == take_path)
+            if (self && attached->change.before && attached->change.after &&
+                folder == folderOf(self->review_.shared().session()))
+                self->review_.changes().pushWritten(what, take_path, attached->change);
+            if (self && self->review_.take().path() == take_path)
                 self->review_.take().reload(false);
             QString words = tr("Aligned by %1, %2 frames lie within the take.")
                                 .arg(numberText(attached->summary.shift_s, 3) + QChar(0x00A0) + "s",
