@@ -16,13 +16,22 @@ QString words(const std::string& text) {
     return QString::fromStdString(text);
 }
 
-/// Several people whose suits have sources.
-bool mayHearEachOther(const Take& take) {
+/// How many people there are, and how many of their suits have sources.
+struct People {
+    int64_t all = 0, heard = 0;
+};
+
+People peopleOf(const Take& take) {
+    People people;
     const auto subjects = take.subjects();
-    return subjects && std::ranges::count_if(*subjects, [&](const TakeSubject& subject) {
-                           const auto sources = take.sourceCount(subject.suit());
-                           return !subject.room && sources && *sources > 0;
-                       }) > 1;
+    if (!subjects)
+        return people;
+    for (const TakeSubject& subject : *subjects) {
+        const auto sources = take.sourceCount(subject.suit());
+        people.all += !subject.room;
+        people.heard += !subject.room && sources && *sources > 0;
+    }
+    return people;
 }
 
 /// Waits for its turn and still hears Cancel; false: cancelled.
@@ -44,7 +53,7 @@ Studio::Studio(StudioParts parts, QObject* parent)
       ReviewContext(static_cast<SharedContext&>(*this)),
       processing_(std::make_shared<std::timed_mutex>()) {
     connect(&suits(), &LiveSuits::takeOfSeveral, this,
-            [this](const QString& path) { process(accurateRequest(path.toStdString())); });
+            [this](const QString& path) { processAccurately(path.toStdString()); });
 }
 
 Job* Studio::tryVirtualSuit() {
@@ -104,27 +113,46 @@ Job* Studio::importMotion(std::shared_ptr<const figure::UnderstoodMotion> motion
         });
 }
 
-ProcessRequest Studio::accurateRequest(const std::string& take_path) {
+ProcessRequest Studio::accurateRequest(const std::string& take_path, const PartsOfOne& own,
+                                       const JobContext& job) {
     ProcessRequest request;
     request.take_path = take_path;
-    if (const auto take = Take::open(take_path); take && mayHearEachOther(*take))
+    const auto take = Take::open(take_path, Access::kRead, {job.cancel});
+    const People people = take ? peopleOf(*take) : People();
+    if (people.all <= 1) {
+        request.calibration = own.calibration;
+        request.actor = own.actor;
+    }
+    if (people.heard > 1)
         return request;  // smoothers go over one body only; pulses are told apart by carrier
     request.tracker.smoother = Smoother::kFull;
     request.detector = Detector::kMatched;
     return request;
 }
 
-Job* Studio::process(ProcessRequest request) {
-    request.software = parts().software;
-    request.created_utc = parts().utc_now();
-    const QString path = words(request.take_path);
+Job* Studio::process(const ProcessRequest& request) {
+    return startProcessing(request.take_path, [request](const JobContext&) { return request; });
+}
+
+Job* Studio::processAccurately(const std::string& take_path, const PartsOfOne& own) {
+    return startProcessing(
+        take_path, [take_path, own](const JobContext& job) { return accurateRequest(take_path, own, job); });
+}
+
+Job* Studio::startProcessing(const std::string& take_path,
+                             std::function<ProcessRequest(const JobContext&)> settings) {
+    const QString path = words(take_path);
     const QString take = QFileInfo(path).completeBaseName();
     Job* job = jobs().start<ProcessSummary>(
         tr("Processing %1").arg(take),
-        [request = std::move(request), turns = processing_](const JobContext& job) -> Result<ProcessSummary> {
+        [settings = std::move(settings), software = parts().software, created_utc = parts().utc_now(),
+         turns = processing_](const JobContext& job) -> Result<ProcessSummary> {
             std::unique_lock turn(*turns, std::defer_lock);
             if (!waitForTurn(turn, job))
                 return JobContext::cancelledError();
+            ProcessRequest request = settings(job);
+            request.software = software;
+            request.created_utc = created_utc;
             return processTake(request, job);
         },
         [this, path, take, kept = session().keepInPlace(path)](Result<ProcessSummary> summary) -> QString {
@@ -146,13 +174,13 @@ Job* Studio::process(ProcessRequest request) {
     return job;
 }
 
-void Studio::processInTurn(std::vector<ProcessRequest> requests) {
-    if (requests.empty())
+void Studio::processInTurn(std::vector<std::pair<std::string, PartsOfOne>> takes) {
+    if (takes.empty())
         return;
-    ProcessRequest first = std::move(requests.front());
-    requests.erase(requests.begin());
-    connect(process(std::move(first)), &Job::ended, this,
-            [this, rest = std::move(requests)] { processInTurn(rest); });
+    const auto [path, own] = std::move(takes.front());
+    takes.erase(takes.begin());
+    connect(processAccurately(path, own), &Job::ended, this,
+            [this, rest = std::move(takes)] { processInTurn(rest); });
 }
 
 }  // namespace noctule::ui

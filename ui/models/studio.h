@@ -5,6 +5,7 @@
 
 #include <QPointer>
 #include <mutex>
+#include <utility>
 
 #include "core/processing/process_take.h"
 #include "ui/models/capture_context.h"
@@ -12,6 +13,12 @@
 #include "ui/models/shared_context.h"
 
 namespace noctule::ui {
+
+/// Instead of what the take of one performer holds; takes of several keep what each one has.
+struct PartsOfOne {
+    std::optional<Calibration> calibration{};
+    std::optional<Actor> actor{};
+};
 
 class Studio : public SharedContext, public CaptureContext, public ReviewContext {
     Q_OBJECT
@@ -27,14 +34,19 @@ public:
     /// session().failed() said why.
     Job* importMotion(std::shared_ptr<const figure::UnderstoodMotion> motion, const std::string& scenario);
     /// The most accurate settings for a take that is recorded: the whole take smoothed, or of several people
-    /// all together, and pulses found by their whole shape.
-    static ProcessRequest accurateRequest(const std::string& take_path);
+    /// all together, and pulses found by their whole shape. Opens the take, so not on the interface's thread.
+    static ProcessRequest accurateRequest(const std::string& take_path, const PartsOfOne& own,
+                                          const JobContext& job);
     /// Processes a take of the session as a job; shows the new run when the take is open.
-    Job* process(ProcessRequest request);
+    Job* process(const ProcessRequest& request);
+    Job* processAccurately(const std::string& take_path, const PartsOfOne& own = {});
     /// One after the other, so that all that waits holds no other work up.
-    void processInTurn(std::vector<ProcessRequest> requests);
+    void processInTurn(std::vector<std::pair<std::string, PartsOfOne>> takes);
 
 private:
+    Job* startProcessing(const std::string& take_path,
+                         std::function<ProcessRequest(const JobContext&)> settings);
+
     QPointer<Job> trying_;                          ///< the virtual suit
     std::shared_ptr<std::timed_mutex> processing_;  ///< a take takes one writer, the machine one filter
 };

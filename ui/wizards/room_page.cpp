@@ -320,7 +320,7 @@ void RoomPage::chooseFile() {
 }
 
 void RoomPage::process() {
-    studio_.process(Studio::accurateRequest(studio_.take().path().toStdString()));
+    studio_.processAccurately(studio_.take().path().toStdString());
     studio_.goTo(Step::kReview);
 }
 

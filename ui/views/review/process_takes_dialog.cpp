@@ -3,9 +3,7 @@
 
 #include <QListWidget>
 #include <QVBoxLayout>
-#include <algorithm>
 
-#include "core/recording/take.h"
 #include "ui/style/words.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
@@ -31,13 +29,6 @@ QString aboutProcessing(Studio& studio, bool with_actor) {
                      .arg(QString::fromStdString(studio.session().session().current_performer));
     words << ProcessTakesDialog::tr("A result is added to each; recordings and earlier results stay.");
     return words.join(' ');
-}
-
-/// Each performer of it has a calibration of their own in the take.
-bool isOfSeveral(const std::string& path) {
-    const auto take = Take::open(path);
-    const auto subjects = take ? take->subjects() : Result<std::vector<TakeSubject>>(take.error());
-    return subjects && std::ranges::count_if(*subjects, [](const TakeSubject& one) { return !one.room; }) > 1;
 }
 
 }  // namespace
@@ -93,19 +84,13 @@ void ProcessTakesDialog::refresh() {
 
 void ProcessTakesDialog::process() {
     const QStringList names = ticked();
-    std::vector<ProcessRequest> requests;
-    for (const SessionTake& take : studio_.session().session().takes) {
-        if (!names.contains(QString::fromStdString(take.name)))
-            continue;
-        ProcessRequest request = Studio::accurateRequest(studio_.session().session().pathOf(take).string());
-        if (!isOfSeveral(request.take_path)) {
-            request.calibration = studio_.calibrations().inForce();
-            if (isOfPerformer(take))
-                request.actor = actor_;
-        }
-        requests.push_back(std::move(request));
-    }
-    studio_.processInTurn(std::move(requests));
+    std::vector<std::pair<std::string, PartsOfOne>> takes;
+    for (const SessionTake& take : studio_.session().session().takes)
+        if (names.contains(QString::fromStdString(take.name)))
+            takes.emplace_back(
+                studio_.session().session().pathOf(take).string(),
+                PartsOfOne{studio_.calibrations().inForce(), isOfPerformer(take) ? actor_ : std::nullopt});
+    studio_.processInTurn(std::move(takes));
 }
 
 }  // namespace noctule::ui
