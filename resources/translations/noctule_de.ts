@@ -2448,6 +2448,19 @@
         <source>board %1</source>
         <translation>Platine %1</translation>
     </message>
+    <message>
+        <source>Anchors of the room, from above</source>
+        <translation>Anker des Raums, von oben</translation>
+    </message>
+    <message>
+        <source>%1 (board %2)</source>
+        <comment>ceiling 1 (board 3)</comment>
+        <translation>%1 (Platine %2)</translation>
+    </message>
+    <message>
+        <source>The room and its anchors, from above</source>
+        <translation>Der Raum und seine Anker, von oben</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::CalibratePage</name>

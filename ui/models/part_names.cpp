@@ -130,6 +130,10 @@ QString boardName(const Board& board, NameCase name_case) {
     return segmentName(board.segment, name_case);
 }
 
+QString anchorName(const Board& board) {
+    return nameFrom({}, board.id, NameCase::kTitle);
+}
+
 QString boardTitle(const Suit& suit, int board) {
     return QCoreApplication::translate("PartNames", "%1 (board %2)", "Left shin (board 14)")
         .arg(boardName(boardOf(suit, board)))

@@ -25,6 +25,8 @@ QString jointName(const std::string& joint, NameCase name_case = NameCase::kTitl
 
 /// "Left shin"
 QString boardName(const Board& board, NameCase name_case = NameCase::kTitle);
+/// Of one that hangs in the room: "ceiling 1".
+QString anchorName(const Board& board);
 /// "Left shin (board 14)"
 QString boardTitle(const Suit& suit, int board);
 /// "board 14 (left shin)", within a sentence.

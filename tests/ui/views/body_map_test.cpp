@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/suit/default_suit.h"
 #include "tests/ui/support/wait.h"
 #include "ui/style/theme.h"
@@ -27,6 +29,38 @@ TEST(BodyMap, ShowsTheBodyAtEverySize) {
     for (const QSize size : {QSize(760, 640), QSize(1000, 800)}) {
         map.resize(size);
         EXPECT_TRUE(waitFor([&] { return figureShare(map) > 0.03; })) << size.width();
+    }
+}
+
+/// A transceiver in each corner of a ceiling.
+Suit fourAnchors() {
+    Suit room{"ceiling", {}, {}};
+    for (const auto& [x, z] : {std::pair{2.3, 2.3}, {-2.3, 2.3}, {-2.3, -2.3}, {2.3, -2.3}}) {
+        Board board;
+        board.id = "ceiling_" + std::to_string(room.boards.size() + 1);
+        board.p_segment_board_m = {x, 2.7, z};
+        room.sources.push_back({board.id, "", "", {x, 2.7, z}, {0, -1, 0}});
+        room.boards.push_back(board);
+    }
+    return room;
+}
+
+TEST(BodyMap, AnchorsHangInTheirRoomWithoutABody) {
+    Theme::install(*qApp);
+    BodyMap map(defaultActor(), fourAnchors(), nullptr);
+    map.resize(760, 640);
+    map.show();
+    QTest::qWait(50);  // a figure would come the moment after
+    EXPECT_TRUE(map.showsRoom());
+    EXPECT_EQ(figureShare(map), 0);
+    EXPECT_EQ(map.boardButton(0)->accessibleName(), "ceiling 1 (board 1)");
+    const auto at = [&map](int board) { return map.boardButton(board)->geometry().center(); };
+    EXPECT_GT(at(0).x(), at(1).x()) << "x to the right";
+    EXPECT_GT(at(0).y(), at(3).y()) << "z down";
+    for (int board = 0; board < 4; ++board) {
+        EXPECT_TRUE(map.rect().contains(map.boardButton(board)->geometry()));
+        const QPoint way = at(board) - map.sourceButton(board)->geometry().center();
+        EXPECT_GT(std::hypot(way.x(), way.y()), 15) << "a source at the same place does not hide it";
     }
 }
 

@@ -19,6 +19,7 @@
 #include "tests/support/take_files.h"
 #include "tests/ui/support/wait.h"
 #include "ui/models/part_names.h"
+#include "ui/models/studio.h"
 #include "ui/style/theme.h"
 #include "ui/views/connect/assign_panel.h"
 #include "ui/views/connect/board_card.h"
@@ -359,6 +360,18 @@ TEST_F(ConnectPageTest, TheCardOfABoardStandsWhereThereIsRoom) {
     EXPECT_TRUE(page_->readiness().isAncestorOf(&page_->card()));
     page_->resize(1000, 740);
     EXPECT_TRUE(page_->isAncestorOf(&page_->card()));
+}
+
+TEST_F(ConnectPageTest, ABoxOfAnchorsIsARoomAndNobodyWearsIt) {
+    const TestBox box({.loops = true, .fixed = true});
+    studio_->suit().connectTo(QString::fromStdString(box.address()));
+    ASSERT_TRUE(waitFor([&] { return page_->map().boardCount() == 2; }));
+    EXPECT_TRUE(page_->map().showsRoom());
+    EXPECT_TRUE(page_->assigning().isHidden());
+    studio_->suit().disconnectSuit();
+    ASSERT_TRUE(waitFor([&] { return page_->map().boardCount() == 18; }));
+    EXPECT_FALSE(page_->map().showsRoom());
+    EXPECT_FALSE(page_->assigning().isHidden());
 }
 
 }  // namespace

@@ -24,7 +24,9 @@ BodyMap::BodyMap(const Actor& actor, const Suit& suit, const std::shared_ptr<con
       suit_(suit),
       figure_(BodyFigure::of(actor, mesh)),
       details_(suit.boards.size()) {
-    setAccessibleName(tr("Boards and sources on the body"));
+    if (suit.isFixed())
+        room_.emplace(suit);
+    setAccessibleName(room_ ? tr("Anchors of the room, from above") : tr("Boards and sources on the body"));
     addMarkers();
     chooseColumns();
     connect(&Theme::get(), &Theme::changed, this, [this] {
@@ -35,31 +37,52 @@ BodyMap::BodyMap(const Actor& actor, const Suit& suit, const std::shared_ptr<con
 
 void BodyMap::setBody(const std::shared_ptr<const SkinnedMesh>& mesh) {
     figure_ = BodyFigure::of(actor_, mesh);
-    for (Place& place : places_) {
-        const auto index = static_cast<size_t>(place.index);
-        place.at_m =
-            place.is_board ? figure_->board(suit_.boards[index]) : figure_->source(suit_.sources[index]);
-    }
+    for (Place& place : places_)
+        place.at_m = placeOf(place);
     arrange();
     updateGeometry();
     update();
 }
 
+QString BodyMap::nameOf(int board) const {
+    const Board& named = suit_.boards[static_cast<size_t>(board)];
+    return room_ ? anchorName(named) : boardName(named);
+}
+
+QPointF BodyMap::placeOf(const Place& place) const {
+    const auto index = static_cast<size_t>(place.index);
+    if (room_)
+        return room_->at(place.is_board ? suit_.boards[index].p_segment_board_m
+                                        : suit_.sources[index].p_segment_source_m);
+    return place.is_board ? figure_->board(suit_.boards[index]) : figure_->source(suit_.sources[index]);
+}
+
+/// Pixels per metre.
+double BodyMap::scale(int height_px) const {
+    return room_ ? height_px / room_->height_m() : figure_->scale(height_px);
+}
+
+double BodyMap::half_width_m() const {
+    return room_ ? room_->half_width_m() : figure_->half_width_m();
+}
+
 void BodyMap::addMarkers() {
     for (int i = 0; i < boardCount(); ++i) {
-        const Board& board = suit_.boards[static_cast<size_t>(i)];
-        auto* marker = new MapMarker(MapMarker::Shape::kBoard, i + 1, boardTitle(suit_, i), this);
+        const QString title = room_ ? tr("%1 (board %2)", "ceiling 1 (board 3)").arg(nameOf(i)).arg(i + 1)
+                                    : boardTitle(suit_, i);
+        auto* marker = new MapMarker(MapMarker::Shape::kBoard, i + 1, title, this);
         connect(marker, &QAbstractButton::clicked, this, [this, i] { emit boardClicked(i); });
-        places_.push_back({marker, figure_->board(board), true, i});
+        places_.push_back({marker, {}, true, i});
     }
     for (int i = 0; i < sourceCount(); ++i) {
-        const Source& source = suit_.sources[static_cast<size_t>(i)];
         auto* marker = new MapMarker(MapMarker::Shape::kSource, i + 1, sourceTitle(suit_, i), this);
         connect(marker, &QAbstractButton::clicked, this, [this, i] { emit sourceClicked(i); });
-        places_.push_back({marker, figure_->source(source), false, i});
+        places_.push_back({marker, {}, false, i});
     }
-    for (const Place& place : places_)
+    for (Place& place : places_) {
+        place.at_m = placeOf(place);
         place.marker->installEventFilter(this);
+    }
 }
 
 QAbstractButton* BodyMap::boardButton(int board) const {
@@ -131,7 +154,7 @@ double BodyMap::labelHeight() const {
 int BodyMap::drawingHeight() const {
     const Theme& theme = Theme::get();
     const double beside = width() / 2.0 - theme.px(kLabelWidth + kLabelGap);
-    const double widest = beside / (figure_->half_width_m() * figure_->scale(1));
+    const double widest = beside / (half_width_m() * scale(1));
     return static_cast<int>(std::min<double>(height() - theme.px(kTop + kBottom), widest));
 }
 
@@ -142,8 +165,8 @@ double BodyMap::floor() const {
 }
 
 QPointF BodyMap::toPixels(const QPointF& p_m) const {
-    const double scale = figure_->scale(drawingHeight());
-    return {width() / 2.0 + scale * p_m.x(), floor() - scale * p_m.y()};
+    const double pixels_per_m = scale(drawingHeight());
+    return {width() / 2.0 + pixels_per_m * p_m.x(), floor() - pixels_per_m * p_m.y()};
 }
 
 void BodyMap::resizeEvent(QResizeEvent*) {
@@ -173,9 +196,10 @@ void BodyMap::separateMarkers() {
             for (Place& b : places_) {
                 const QPointF way = b.at_px - a.at_px;
                 const double distance = std::hypot(way.x(), way.y());
-                if (&a == &b || distance >= least || distance < 1e-6)
+                if (&a == &b || distance >= least)
                     continue;
-                const QPointF push = way / distance * (least - distance) / 2;
+                const QPointF apart = distance > 1e-6 ? way / distance : QPointF(1, 0);
+                const QPointF push = apart * (least - distance) / 2;
                 a.at_px -= push;
                 b.at_px += push;
             }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A suit on its performer, seen from the front: every board and source is a button on the drawing, boards
-// have names in two columns with leaders. The performer's left is on the right, and it says so. Arrow keys
-// walk.
+// have names in two columns with leaders. The performer's left is on the right, and it says so. Anchors that
+// nobody wears hang in their room, seen from above. Arrow keys walk.
 #pragma once
 
 #include <QAbstractButton>
@@ -9,10 +9,12 @@
 #include <QPixmap>
 #include <QWidget>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "ui/style/ink.h"
 #include "ui/views/body_figure.h"
+#include "ui/views/connect/room_plan.h"
 
 namespace noctule::ui {
 
@@ -29,6 +31,8 @@ public:
     /// What stands below a board's name, and the tone of its mark and segment.
     void setBoardState(int board, Tone tone, const QString& detail);
     const Suit& suit() const { return suit_; }
+    /// Of anchors; there is no body then.
+    bool showsRoom() const { return room_.has_value(); }
     void setSourceTone(int source, Tone tone, const QString& detail);
     /// Marked as the one that is talked about; -1: none.
     void setChosen(int board);
@@ -66,6 +70,10 @@ private:
         QPointF at_px{};
         double label_y = 0;  ///< centre of its label, in pixels
     };
+    QString nameOf(int board) const;
+    QPointF placeOf(const Place& place) const;
+    double scale(int height_px) const;
+    double half_width_m() const;
     void addMarkers();
     void chooseColumns();
     void arrange();
@@ -77,6 +85,7 @@ private:
     double floor() const;
     QPointF toPixels(const QPointF& p_m) const;
     double labelHeight() const;
+    void paintGround(QPainter& painter);
     void paintLabel(QPainter& painter, const Place& place) const;
     void paintDragged(QPainter& painter) const;
     bool walk(const MapMarker* from, int key);
@@ -87,6 +96,7 @@ private:
     Actor actor_;
     Suit suit_;
     std::shared_ptr<const BodyFigure> figure_;
+    std::optional<RoomPlan> room_;  ///< instead of the figure
     std::vector<Place> places_;
     std::vector<QString> details_;
     bool movable_ = false;

@@ -31,6 +31,31 @@ void BodyMap::paintEvent(QPaintEvent*) {
     const Tokens& tokens = theme.tokens();
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
+    paintGround(painter);
+    painter.setFont(theme.font(TextRole::kSecondary));
+    painter.setPen(tokens.t3);
+    const QRect head(0, 0, width(), theme.px(kTop - 8));
+    if (room_) {
+        painter.drawText(head, Qt::AlignCenter, tr("The room and its anchors, from above"));
+    } else {
+        painter.drawText(head, Qt::AlignLeft | Qt::AlignVCenter, tr("Performer’s right"));
+        painter.drawText(head, Qt::AlignRight | Qt::AlignVCenter, tr("Performer’s left"));
+    }
+    for (const Place& place : places_)
+        if (place.is_board)
+            paintLabel(painter, place);
+    if (dragged_ >= 0)
+        paintDragged(painter);
+}
+
+/// The body or the room.
+void BodyMap::paintGround(QPainter& painter) {
+    if (room_) {
+        const double pixels_per_m = scale(drawingHeight());
+        const QSizeF size(2 * pixels_per_m * half_width_m(), drawingHeight());
+        room_->paint(painter, QRectF(QPointF((width() - size.width()) / 2, floor() - size.height()), size));
+        return;
+    }
     if (picture_.isNull() && painted_)
         renewFigure();
     else if (picture_.isNull())  // a new page is there first, its figure the moment after
@@ -38,16 +63,6 @@ void BodyMap::paintEvent(QPaintEvent*) {
     painted_ = true;
     const QSizeF size = QSizeF(picture_.size()) / picture_.devicePixelRatio();
     painter.drawPixmap(QPointF((width() - size.width()) / 2, floor() - size.height()), picture_);
-    painter.setFont(theme.font(TextRole::kSecondary));
-    painter.setPen(tokens.t3);
-    const QRect head(0, 0, width(), theme.px(kTop - 8));
-    painter.drawText(head, Qt::AlignLeft | Qt::AlignVCenter, tr("Performer’s right"));
-    painter.drawText(head, Qt::AlignRight | Qt::AlignVCenter, tr("Performer’s left"));
-    for (const Place& place : places_)
-        if (place.is_board)
-            paintLabel(painter, place);
-    if (dragged_ >= 0)
-        paintDragged(painter);
 }
 
 /// What is carried, and where it would go.
@@ -67,7 +82,7 @@ void BodyMap::paintDragged(QPainter& painter) const {
 void BodyMap::paintLabel(QPainter& painter, const Place& place) const {
     const Theme& theme = Theme::get();
     const Tokens& tokens = theme.tokens();
-    const int reach = static_cast<int>(figure_->half_width_m() * figure_->scale(drawingHeight()));
+    const int reach = static_cast<int>(half_width_m() * scale(drawingHeight()));
     const int side = std::min(width() / 2 - theme.px(kLabelWidth), reach + theme.px(kLabelGap + kLeader));
     const int edge = width() / 2 + (place.left_column ? -side : side);
     const int direction = place.left_column ? -1 : 1;
@@ -89,8 +104,7 @@ void BodyMap::paintLabel(QPainter& painter, const Place& place) const {
     const int top = static_cast<int>(place.label_y) - block / 2;
     painter.setFont(name);
     painter.setPen(quiet ? tokens.t1 : colorOf(tone));
-    painter.drawText(QRect(left, top, label_width, name_height), alignment,
-                     boardName(suit_.boards[static_cast<size_t>(place.index)]));
+    painter.drawText(QRect(left, top, label_width, name_height), alignment, nameOf(place.index));
     painter.setFont(detail);
     painter.setPen(quiet ? tokens.t3 : colorOf(tone));
     painter.drawText(QRect(left, top + name_height, label_width, detail_height), alignment, words);

@@ -163,7 +163,8 @@ void ConnectPage::showLayout() {
     legend_->setVisible(there);
     card_->setVisible(there);
     pairs_->setVisible(there);
-    map_->setBoardsMovable(there);
+    map_->setBoardsMovable(there && !map_->showsRoom());
+    assigning_->setVisible(!map_->showsRoom());  // nobody wears anchors
     blink_->setEnabled(there);
     take_off_->setEnabled(there);
 }
