@@ -38,7 +38,6 @@ JobsPanel::JobsPanel(Jobs& jobs, QWidget* window) : QFrame(window), jobs_(jobs) 
         tr("Processing, imports and exports are listed here while they run, and until they are seen."),
         TextRole::kBody, Ink::kLabel);
     none_->wrapped();
-    none_->setMargin(Theme::get().px(12));
     column_->addWidget(none_);
     column_->addStretch();
     area_ = new ScrollArea(list_);
@@ -46,6 +45,14 @@ JobsPanel::JobsPanel(Jobs& jobs, QWidget* window) : QFrame(window), jobs_(jobs) 
     connect(clear_, &QPushButton::clicked, &jobs_, &Jobs::clearEnded);
     connect(close, &QToolButton::clicked, this, &QWidget::hide);
     connect(&jobs_, &Jobs::changed, this, &JobsPanel::follow);
+    // Once all that it holds has its new size.
+    connect(
+        &Theme::get(), &Theme::changed, this,
+        [this] {
+            if (isVisible())
+                place();
+        },
+        Qt::QueuedConnection);
     window->installEventFilter(this);
     follow();
     hide();
@@ -82,6 +89,7 @@ void JobsPanel::toggle() {
 
 void JobsPanel::place() {
     const Theme& theme = Theme::get();
+    none_->setMargin(theme.px(12));
     const QWidget& window = *parentWidget();
     const int width = std::min(theme.px(kWidth), window.width() - theme.px(2 * kMargin));
     const int room = window.height() - theme.px(kStatusLine + 2 * kMargin + 52);

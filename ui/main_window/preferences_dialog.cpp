@@ -28,7 +28,7 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kLabels = 140;
+constexpr int kLabels = 140, kAboveDialog = 40;
 constexpr std::array kTextSizes{75, 90, 100, 110, 125, 150};
 
 FormRows* addSection(QVBoxLayout& column, const QString& title) {
@@ -61,8 +61,12 @@ PreferencesDialog::PreferencesDialog(Studio& studio, QWidget* parent) : QDialog(
     Button* close = makeButton(ButtonKind::kOutlined, tr("Close"), {}, QKeySequence("Esc"));
     row->addWidget(close);
     connect(close, &QPushButton::clicked, this, &QDialog::accept);
-    const int room = screen()->availableGeometry().height() - Theme::get().px(40);
-    resize(Theme::get().px(560), std::min(Theme::get().px(740), room));
+    fit();
+}
+
+void PreferencesDialog::fit() {
+    const QSize room = screen()->availableGeometry().size() - QSize(0, Theme::get().px(kAboveDialog));
+    resize(QSize(Theme::get().px(560), Theme::get().px(740)).boundedTo(room));
 }
 
 void PreferencesDialog::addLook(QVBoxLayout& column) {
@@ -90,6 +94,7 @@ void PreferencesDialog::addLook(QVBoxLayout& column) {
     connect(text_size_, QOverload<int>::of(&QComboBox::activated), this, [this] {
         Theme::get().setScale(text_size_->currentData().toInt() / 100.0);
         keepLook(studio_.settings());
+        fit();
     });
     connect(motion, &QCheckBox::toggled, this, [this](bool reduce) {
         Theme::get().setReduceMotion(reduce);

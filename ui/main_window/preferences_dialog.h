@@ -27,6 +27,7 @@ signals:
     void languageChanged();
 
 private:
+    void fit();
     void addLook(QVBoxLayout& column);
     void addLanguage(QVBoxLayout& column);
     void addView3d(QVBoxLayout& column);

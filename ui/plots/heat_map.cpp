@@ -38,7 +38,6 @@ void HeatMap::build() {
     head->addWidget(hint_);
     head->addWidget(cursor_switch_);
     auto* words = new QVBoxLayout;
-    words->setSpacing(Theme::get().px(2));
     words->addWidget(pair_text_);
     words->addWidget(detail_text_);
     auto* foot = new QHBoxLayout;
@@ -46,10 +45,11 @@ void HeatMap::build() {
     foot->addWidget(new ConfidenceLegend, 0, Qt::AlignTop);
 
     auto* column = new QVBoxLayout(this);
-    const auto place = [column] {
+    const auto place = [column, words] {
         const Theme& theme = Theme::get();
         column->setContentsMargins(theme.px(16), theme.px(4), theme.px(16), theme.px(8));
         column->setSpacing(theme.px(4));
+        words->setSpacing(theme.px(2));
     };
     place();
     connect(&Theme::get(), &Theme::changed, this, place);

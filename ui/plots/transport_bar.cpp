@@ -75,6 +75,7 @@ void TransportBar::place() {
     };
     place();
     connect(&Theme::get(), &Theme::changed, this, place);
+    connect(&Theme::get(), &Theme::changed, this, &TransportBar::fitWords);
     for (QWidget* widget : std::initializer_list<QWidget*>{previous_, play_, next_, loop_})
         row->addWidget(widget);
     row->addSpacing(Theme::get().px(8));

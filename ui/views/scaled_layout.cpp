@@ -69,4 +69,8 @@ void keepMaximumWidth(QWidget& widget, int width) {
     keep(widget, [&widget, width](const Theme& theme) { widget.setMaximumWidth(theme.px(width)); });
 }
 
+void keepMaximumHeight(QWidget& widget, int height) {
+    keep(widget, [&widget, height](const Theme& theme) { widget.setMaximumHeight(theme.px(height)); });
+}
+
 }  // namespace noctule::ui

@@ -20,5 +20,6 @@ void keepSize(QWidget& widget, int width, int height);
 void keepMinimumWidth(QWidget& widget, int width);
 void keepMinimumHeight(QWidget& widget, int height);
 void keepMaximumWidth(QWidget& widget, int width);
+void keepMaximumHeight(QWidget& widget, int height);
 
 }  // namespace noctule::ui

@@ -11,6 +11,7 @@
 
 #include "core/job/atomic_file.h"
 #include "tests/ui/views/reviewed_session.h"
+#include "ui/style/theme.h"
 #include "ui/views/export/export_form.h"
 #include "ui/views/export/export_results_panel.h"
 #include "ui/views/export/export_take_list.h"
@@ -351,6 +352,17 @@ TEST(ExportPresetsTest, RememberSettingsPerPreset) {
     presets.removeOwn(presets.lastChosen());
     EXPECT_FALSE(presets.all().back().is_own);
     EXPECT_EQ(presets.lastChosen(), presets.all().front().key);
+}
+
+/// Its window stays as large as it is.
+TEST_F(ExportPageTest, SmallerTextHasRoomForBothSides) {
+    const auto besideTakes = [&] { return page_->form().takesPart()->mapTo(page_.get(), QPoint()).x() > 0; };
+    page_->resize(700, 700);
+    ASSERT_TRUE(waitFor([&] { return !besideTakes(); }));
+    Theme::get().setScale(0.75);
+    EXPECT_TRUE(QTest::qWaitFor(besideTakes, 1000));
+    Theme::get().setScale(1);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !besideTakes(); }, 1000));
 }
 
 }  // namespace

@@ -106,6 +106,7 @@ void ConnectPage::addActions() {
 }
 
 void ConnectPage::connectStudio() {
+    connect(&Theme::get(), &Theme::changed, this, &ConnectPage::showLayout);
     connect(&capture_.shared().session(), &SessionModel::changed, this, [this] {
         if (isVisible() && capture_.suit().phase() == LiveSuit::Phase::kNone)
             showSuit();

@@ -34,6 +34,7 @@ LivePairs::LivePairs(CaptureContext& capture, QWidget* parent)
     head->addWidget(new ConfidenceLegend);
     column->addWidget(grid_, 1);
     column->addWidget(cell_);
+    connect(&Theme::get(), &Theme::changed, this, &LivePairs::fitRows);
     capture.suits().follow(&SuitCheck::changed, this, [this] {
         if (isVisible())
             show(check().readiness());
@@ -99,9 +100,13 @@ void LivePairs::show(const Readiness& readiness) {
         for (size_t board = 0; board < suit.boards.size(); ++board)
             content.cells.push_back(cellOf(readiness, static_cast<int>(source), static_cast<int>(board)));
     grid_->setContent(std::move(content));
-    // Each row has its name beside it, which wants to be read.
-    grid_->setMinimumHeight(Theme::get().px(kAroundRows + kLeastRow * grid_->rowCount()));
+    fitRows();
     tellCell();
+}
+
+/// Each row has its name beside it, which wants to be read.
+void LivePairs::fitRows() {
+    grid_->setMinimumHeight(Theme::get().px(kAroundRows + kLeastRow * grid_->rowCount()));
 }
 
 void LivePairs::tellCell() {

@@ -27,6 +27,7 @@ private:
     void show(const Readiness& readiness);
     PairGridContent headings(const Readiness& readiness) const;
     PairCell cellOf(const Readiness& readiness, int source, int board) const;
+    void fitRows();
     void tellCell();
 
     const SuitCheck& check() const { return capture_.check(); }

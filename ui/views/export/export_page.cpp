@@ -70,6 +70,7 @@ ExportPage::ExportPage(ReviewContext& review, QWidget* parent)
     column->addWidget(new Divider);
     column->addWidget(makeFoot());
 
+    connect(&Theme::get(), &Theme::changed, this, &ExportPage::placeSides);
     connect(preset_list_, &ExportPresetList::chosen, this, [this](const QString& key) {
         presets_.choose(key);
         form_->setSettings(presets_.all()[static_cast<size_t>(presets_.indexOf(key))].settings);
@@ -323,10 +324,14 @@ void ExportPage::removeOwnPreset(const QString& key) {
 
 /// Without room for both sides the takes and the written files stand below the form.
 void ExportPage::resizeEvent(QResizeEvent* event) {
+    placeSides();
+    Page::resizeEvent(event);
+}
+
+void ExportPage::placeSides() {
     const bool beside = width() >= Theme::get().px(kBothSides);
     sides_->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
     between_->setVisible(beside);
-    Page::resizeEvent(event);
 }
 
 void ExportPage::keyPressEvent(QKeyEvent* event) {

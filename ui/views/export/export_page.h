@@ -51,6 +51,7 @@ protected:
 
 private:
     QWidget* makeFoot();
+    void placeSides();
     void refresh();
     void start(const QString& title, std::function<Result<ExportResults>(const JobContext&)> work,
                bool is_trial);

@@ -7,6 +7,7 @@
 #include <QMenu>
 #include <QPainter>
 #include <QStackedWidget>
+#include <algorithm>
 #include <cmath>
 
 #include "ui/style/theme.h"
@@ -22,6 +23,7 @@ namespace {
 
 constexpr int kCountdowns_s[] = {0, 3, 5, 10};
 constexpr int kPreRolls_s[] = {0, 2, 5, 10};
+constexpr int kBarHeight = 88;
 constexpr int kRoomForWords = 760;  ///< below it choices are short, and keys are in the tooltips
 
 QString countdownText(int seconds, int pre_roll_s) {
@@ -97,6 +99,7 @@ RecordBar::RecordBar(RecordRun& run, QWidget* parent) : QWidget(parent), run_(ru
     row->addWidget(makeMiddle());
     row->addWidget(makeRight(), 1);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    connect(&Theme::get(), &Theme::changed, this, &RecordBar::showChoices);
     connect(&run, &RecordRun::changed, this, &RecordBar::refresh);
     connect(&run, &RecordRun::ticked, this, [this] {
         if (run_.state() == RecordRun::State::kCountdown)
@@ -254,6 +257,15 @@ void RecordBar::showChoices() {
     tones_->setAccessibleName(tones);
     marker_->setShortcutHint(narrow ? QKeySequence() : QKeySequence(Qt::Key_M));
     note_button_->setShortcutHint(narrow ? QKeySequence() : QKeySequence(Qt::Key_N));
+}
+
+QSize RecordBar::sizeHint() const {
+    return {QWidget::sizeHint().width(), minimumSizeHint().height()};
+}
+
+QSize RecordBar::minimumSizeHint() const {
+    const QSize least = QWidget::minimumSizeHint();
+    return {least.width(), std::max(Theme::get().px(kBarHeight), least.height())};
 }
 
 void RecordBar::resizeEvent(QResizeEvent* event) {

@@ -36,6 +36,9 @@ public:
     /// Opens the field; Enter keeps the note, Esc closes.
     void writeNote();
 
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
 signals:
     /// A field was left by Enter or Esc.
     void fieldLeft();

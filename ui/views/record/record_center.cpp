@@ -17,7 +17,7 @@ namespace noctule::ui {
 namespace {
 
 /// At 100 percent, as on a screen of 800 lines; from there on the picture grows first.
-constexpr int kBarHeight = 88, kLevels = 150, kMostLevels = 220;
+constexpr int kLevels = 150, kMostLevels = 220;
 
 LiveWearer wearerOf(const LiveSuit& suit) {
     LiveWearer wearer{suit.actor(), suit.suit(),
@@ -43,13 +43,8 @@ RecordCenter::RecordCenter(Studio& studio, RecordRun& run, QWidget* parent)
     column_->addWidget(bar_);
     column_->addWidget(new Divider);
     column_->addWidget(levels_, 2);
-    const auto fit = [this] {
-        bar_->setFixedHeight(std::max(Theme::get().px(kBarHeight), bar_->minimumSizeHint().height()));
-        levels_->setMinimumHeight(Theme::get().px(kLevels));
-        levels_->setMaximumHeight(Theme::get().px(kMostLevels));
-    };
-    fit();
-    connect(&Theme::get(), &Theme::changed, this, fit);
+    keepMinimumHeight(*levels_, kLevels);
+    keepMaximumHeight(*levels_, kMostLevels);
     studio.suits().follow(&LiveSuit::wearingChanged, this, &RecordCenter::wear);
     studio.suits().follow(&LiveSuit::frameChanged, this, &RecordCenter::showFrame);
     connect(&run, &RecordRun::changed, this, &RecordCenter::showTake);

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// The size of text is changed in Preferences while pages, panels and dialogs are open: they follow at once.
+#include <QBoxLayout>
+#include <QComboBox>
+
+#include "tests/ui/main_window/clipping_fixture.h"
+#include "ui/main_window/jobs_panel.h"
+#include "ui/main_window/preferences_dialog.h"
+#include "ui/views/connect/board_card.h"
+#include "ui/views/connect/connect_page.h"
+#include "ui/views/connect/readiness_panel.h"
+#include "ui/views/record/record_bar.h"
+#include "ui/widgets/button.h"
+
+namespace noctule::ui {
+namespace {
+
+class TextSizeTest : public test::ClippingFixture {
+protected:
+    /// As the operator chooses it.
+    static void choose(PreferencesDialog& dialog, int percent) {
+        QComboBox& sizes = dialog.textSize();
+        sizes.setCurrentIndex(sizes.findData(percent));
+        emit sizes.activated(sizes.currentIndex());
+    }
+};
+
+TEST_P(TextSizeTest, AnOpenPageIsWholeAtEverySize) {
+    openSampleTake();
+    ASSERT_TRUE(waitFor([this] { return studio_->jobs().idle(); }));
+    window_->resize(1440, 900);
+    for (const Step step : {Step::kStart, Step::kConnect, Step::kCalibrate, Step::kRecord, Step::kReview,
+                            Step::kExport, Step::kPerformer, Step::kRobot}) {
+        window_->goTo(step);
+        QTest::qWait(60);
+        for (const double scale : {1.5, 0.75, 1.0}) {
+            Theme::get().setScale(scale);
+            QTest::qWait(60);
+            expectWhole(*window_, QStringLiteral("page %1, made %2 times as large")
+                                      .arg(window_->page(step).title())
+                                      .arg(scale));
+        }
+    }
+}
+
+TEST_P(TextSizeTest, PreferencesFollowTheirOwnChange) {
+    PreferencesDialog dialog(*studio_, window_.get());
+    dialog.show();
+    choose(dialog, 100);
+    const QSize before = dialog.size();
+    choose(dialog, 75);
+    EXPECT_LT(dialog.height(), before.height());
+    QTest::qWait(60);
+    expectWhole(dialog, "preferences at 75 %");
+    choose(dialog, 100);
+    EXPECT_EQ(dialog.size(), before);
+}
+
+TEST_P(TextSizeTest, TheOpenPanelOfJobsFollows) {
+    JobsPanel& panel = window_->jobsPanel();
+    panel.toggle();
+    const int before = panel.width();
+    Theme::get().setScale(0.75);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return panel.width() < before; }, 1000));
+    Theme::get().setScale(1);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return panel.width() == before; }, 1000));
+}
+
+INSTANTIATE_TEST_SUITE_P(Languages, TextSizeTest, testing::Values("en", "de"));
+
+/// Where nothing gets another size by itself, what has room changes all the same.
+class TextSizeOfPage : public test::StudioWindow {
+protected:
+    void TearDown() override {
+        Theme::get().setScale(1);
+        StudioWindow::TearDown();
+    }
+};
+
+TEST_F(TextSizeOfPage, TheCardOfABoardGoesWhereThereIsRoom) {
+    ConnectPage page(*studio_);
+    page.resize(800, 740);
+    page.show();
+    ASSERT_TRUE(page.readiness().isAncestorOf(&page.card()));
+    Theme::get().setScale(0.75);
+    EXPECT_TRUE(page.isAncestorOf(&page.card()) && !page.readiness().isAncestorOf(&page.card()));
+}
+
+TEST_F(TextSizeOfPage, TheRecordBarSaysMoreWhereThereIsRoomAndIsAsHighAsItMust) {
+    RecordRun run(*studio_);
+    RecordBar bar(run);
+    bar.resize(700, 90);
+    bar.show();
+    QTest::qWait(30);
+    const int high = bar.sizeHint().height();
+    const QString brief = bar.countdownButton().text();
+    Theme::get().setScale(0.75);
+    EXPECT_NE(bar.countdownButton().text(), brief);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return bar.sizeHint().height() < high; }, 1000));
+    Theme::get().setScale(1.5);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return bar.minimumSizeHint().height() > high; }, 1000));
+}
+
+}  // namespace
+}  // namespace noctule::ui
