@@ -3223,8 +3223,8 @@
         <translation>Dateiname</translation>
     </message>
     <message>
-        <source>{take} {fps} {performer} {run} {date} are filled in.</source>
-        <translation>{take} {fps} {performer} {run} {date} werden ausgefüllt.</translation>
+        <source>{take} {fps} {performer} {run} {date} are filled in. A name that you type stays until you clear it, whatever it is made for.</source>
+        <translation>{take} {fps} {performer} {run} {date} werden eingesetzt. Ein Name, den Sie eingeben, bleibt, bis Sie ihn löschen, wofür auch immer die Datei gemacht wird.</translation>
     </message>
     <message>
         <source>Try first</source>

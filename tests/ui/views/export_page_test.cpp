@@ -354,6 +354,28 @@ TEST(ExportPresetsTest, RememberSettingsPerPreset) {
     EXPECT_EQ(presets.lastChosen(), presets.all().front().key);
 }
 
+TEST_F(ExportPageTest, ATypedFileNameStaysUntilItIsCleared) {
+    QLineEdit& name = *page_->form().name_pattern;
+    const QString of_preset = name.text();
+    const auto file = [this] { return page_->plan().value().front().path(); };
+    name.selectAll();
+    QTest::keyClicks(&name, "{take}_final");
+    page_->choosePreset("web");
+    EXPECT_EQ(name.text(), "{take}_final");
+    EXPECT_EQ(file(), exported("swing_001_final.glb"));
+    page_ = std::make_unique<ExportPage>(*studio_);
+    page_->form().setTakes({"swing_001"});
+    page_->choosePreset("blender");
+    EXPECT_EQ(page_->form().name_pattern->text(), "{take}_final") << "also after a new start";
+    page_->form().name_pattern->clear();
+    EXPECT_TRUE(page_->plan()) << "the preset has a name of its own";
+    EXPECT_EQ(page_->form().name_pattern->placeholderText(), of_preset);
+    for (const char* preset : {"web", "bvh", "blender"}) {
+        page_->choosePreset(preset);
+        EXPECT_EQ(page_->form().name_pattern->text(), of_preset) << preset;
+    }
+}
+
 /// Its window stays as large as it is.
 TEST_F(ExportPageTest, SmallerTextHasRoomForBothSides) {
     const auto besideTakes = [&] { return page_->form().takesPart()->mapTo(page_.get(), QPoint()).x() > 0; };

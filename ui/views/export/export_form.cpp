@@ -205,7 +205,9 @@ QWidget* ExportForm::makeWhere() {
     folder_ = makeButton(ButtonKind::kOutlined, {}, "folder");
     rows->addRow(tr("Folder"), folder_);
     rows->addRow(tr("File name"), name_pattern);
-    name_pattern->setToolTip(tr("{take} {fps} {performer} {run} {date} are filled in."));
+    name_pattern->setToolTip(
+        tr("{take} {fps} {performer} {run} {date} are filled in. A name that you type stays "
+           "until you clear it, whatever it is made for."));
     preview_ = rows->addHint({});
     rows->addRow(tr("Try first"), try_one_frame);
     column->addWidget(rows);
@@ -230,10 +232,19 @@ void ExportForm::setSettings(const ExportSettings& settings) {
     angles->setChecked(settings.angles);
     one_file->setChecked(settings.one_file);
     lock_feet->setChecked(settings.lock_feet);
-    name_pattern->setText(settings.name_pattern);
+    preset_name_ = settings.name_pattern;
+    name_pattern->setPlaceholderText(preset_name_);
+    settings_.name_pattern = typed_name_.isEmpty() ? preset_name_ : typed_name_;
+    name_pattern->setText(settings_.name_pattern);
     own_from_->setValue(settings.own_from_s);
     own_to_->setValue(settings.own_to_s > 0 ? settings.own_to_s : review_.time().duration());
     refresh();
+}
+
+ExportSettings ExportForm::ofPreset() const {
+    ExportSettings settings = settings_;
+    settings.name_pattern = preset_name_;
+    return settings;
 }
 
 void ExportForm::read() {
@@ -257,7 +268,9 @@ void ExportForm::read() {
     settings_.angles = angles->isChecked();
     settings_.one_file = one_file->isChecked();
     settings_.lock_feet = lock_feet->isChecked();
-    settings_.name_pattern = name_pattern->text();
+    const QString name = name_pattern->text();
+    typed_name_ = name == preset_name_ ? QString() : name;
+    settings_.name_pattern = name.isEmpty() ? preset_name_ : name;
     settings_.own_from_s = own_from_->value();
     settings_.own_to_s = own_to_->value();
     refresh();

@@ -25,8 +25,14 @@ class ExportForm : public QWidget {
 public:
     explicit ExportForm(ReviewContext& review, QWidget* parent = nullptr);
 
+    /// Those of a preset. A file name that was typed stays.
     void setSettings(const ExportSettings& settings);
     const ExportSettings& settings() const { return settings_; }
+    /// The same with the preset's own file name.
+    ExportSettings ofPreset() const;
+    /// Instead of the preset's, until it is cleared; empty: none.
+    const QString& typedName() const { return typed_name_; }
+    void setTypedName(const QString& name) { typed_name_ = name; }
     /// Names of the takes that are ticked, in the order of the session.
     QStringList takes() const;
     void setTakes(const QStringList& names);
@@ -66,6 +72,7 @@ private:
 
     ReviewContext& review_;
     ExportSettings settings_;
+    QString preset_name_, typed_name_;
     bool setting_ = false;
     QWidget *takes_part_ = nullptr, *own_range_ = nullptr, *pictures_ = nullptr;
     std::vector<QWidget*> not_of_pictures_;

@@ -79,7 +79,8 @@ ExportPage::ExportPage(ReviewContext& review, QWidget* parent)
     connect(preset_list_, &ExportPresetList::saveWanted, this, &ExportPage::saveOwnPreset);
     connect(preset_list_, &ExportPresetList::removeWanted, this, &ExportPage::removeOwnPreset);
     connect(form_, &ExportForm::changed, this, [this] {
-        presets_.remember(preset_list_->current(), form_->settings());
+        presets_.remember(preset_list_->current(), form_->ofPreset());
+        presets_.keepName(form_->typedName());
         refresh();
     });
     connect(form_, &ExportForm::tryWanted, this, &ExportPage::tryOneFrame);
@@ -92,6 +93,7 @@ ExportPage::ExportPage(ReviewContext& review, QWidget* parent)
         refresh();
     });
     preset_list_->choose(presets_.lastChosen());
+    form_->setTypedName(presets_.keptName());
     form_->setSettings(presets_.all()[static_cast<size_t>(presets_.indexOf(presets_.lastChosen()))].settings);
     refresh();
 }

@@ -9,7 +9,8 @@
 namespace noctule::ui {
 namespace {
 
-constexpr const char *kGroup = "export", *kOwnKeys = "export/own", *kLast = "export/last";
+constexpr const char *kGroup = "export", *kOwnKeys = "export/own", *kLast = "export/last",
+                     *kTypedName = "export/file_name";
 
 struct SettingsWords {
     Q_DECLARE_TR_FUNCTIONS(noctule::ui::ExportSettings)
@@ -144,8 +145,11 @@ ExportPresets::ExportPresets(QSettings& store) : store_(store) {
 
 void ExportPresets::load() {
     presets_ = shipped();
-    for (ExportPreset& preset : presets_)
+    for (ExportPreset& preset : presets_) {
+        const QString name = preset.settings.name_pattern;
         preset.settings = loaded(store_, preset.key, preset.settings);
+        preset.settings.name_pattern = name;  // one that is typed is kept beside the presets
+    }
     for (const QString& key : store_.value(kOwnKeys).toStringList()) {
         ExportPreset own;
         own.key = key;
@@ -171,6 +175,14 @@ QString ExportPresets::lastChosen() const {
 
 void ExportPresets::choose(const QString& key) {
     store_.setValue(kLast, key);
+}
+
+QString ExportPresets::keptName() const {
+    return store_.value(kTypedName).toString();
+}
+
+void ExportPresets::keepName(const QString& name) {
+    store_.setValue(kTypedName, name);
 }
 
 void ExportPresets::remember(const QString& key, const ExportSettings& settings) {

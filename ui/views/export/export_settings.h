@@ -60,6 +60,9 @@ public:
     void choose(const QString& key);
     /// Kept for the next time that the preset is chosen.
     void remember(const QString& key, const ExportSettings& settings);
+    /// A file name that was typed, whatever preset is chosen; empty: none.
+    QString keptName() const;
+    void keepName(const QString& name);
     QString addOwn(const QString& name, const ExportSettings& settings);  ///< its key
     void removeOwn(const QString& key);
 
