@@ -2051,12 +2051,12 @@
         <translation>Adresse</translation>
     </message>
     <message>
-        <source>Posture and scaled hand</source>
-        <translation>Haltung, skalierte Hand</translation>
+        <source>The whole posture</source>
+        <translation>Die ganze Haltung</translation>
     </message>
     <message>
-        <source>The hand’s way only</source>
-        <translation>Nur der Weg der Hand</translation>
+        <source>Path of the hand only</source>
+        <translation>Nur die Bahn der Hand</translation>
     </message>
     <message>
         <source>Follows</source>
@@ -4196,8 +4196,8 @@
         <translation>Hand des Roboters, Soll gegen Ist</translation>
     </message>
     <message>
-        <source>%1 behind, %2 remain after that</source>
-        <translation>%1 dahinter, danach bleiben %2</translation>
+        <source>%1 late; without that, %2 off</source>
+        <translation>%1 zu spät; ohne das %2 daneben</translation>
     </message>
     <message>
         <source>The hand does not move</source>
@@ -8661,8 +8661,8 @@ Median; gut: unter %1</translation>
         <translation>Taste halten</translation>
     </message>
     <message>
-        <source>The robot moves only meanwhile</source>
-        <translation>Nur so lange bewegt er sich</translation>
+        <source>It moves only while held</source>
+        <translation>Nur solange bewegt er sich</translation>
     </message>
     <message>
         <source>Clutch in</source>
@@ -8718,12 +8718,28 @@ Median; gut: unter %1</translation>
         <translation>Kein Anzug ist verbunden. Verbinden Sie einen, oder lassen Sie eine Aufnahme führen.</translation>
     </message>
     <message>
-        <source>No drive was recorded in this session.</source>
+        <source>No commands were recorded in this session.</source>
         <translation>In dieser Sitzung wurden keine Befehle aufgenommen.</translation>
     </message>
     <message>
         <source>Stop recording</source>
         <translation>Aufnahme beenden</translation>
+    </message>
+    <message>
+        <source>From a reading of the suit to the command: half of all commands take less than the first time, 999 of 1000 less than the second.</source>
+        <translation>Von einem Messwert des Anzugs bis zum Befehl: Die Hälfte aller Befehle braucht weniger als die erste Zeit, 999 von 1000 weniger als die zweite.</translation>
+    </message>
+    <message>
+        <source>From a command until the robot’s hand is there.</source>
+        <translation>Von einem Befehl, bis die Hand des Roboters dort ist.</translation>
+    </message>
+    <message>
+        <source>Both together.</source>
+        <translation>Beides zusammen.</translation>
+    </message>
+    <message>
+        <source>How far the hand is from its command when the delay is left aside: on average, and at most.</source>
+        <translation>Wie weit die Hand von ihrem Befehl entfernt ist, wenn der Verzug außer Acht bleibt: im Mittel und höchstens.</translation>
     </message>
 </context>
 <context>
@@ -8830,7 +8846,7 @@ Median; gut: unter %1</translation>
         <translation>nicht verbunden</translation>
     </message>
     <message>
-        <source>looking for it</source>
+        <source>looking for the robot</source>
         <translation>wird gesucht</translation>
     </message>
     <message>
@@ -8838,8 +8854,8 @@ Median; gut: unter %1</translation>
         <translation>antwortet</translation>
     </message>
     <message>
-        <source>silent</source>
-        <translation>stumm</translation>
+        <source>does not answer</source>
+        <translation>antwortet nicht</translation>
     </message>
     <message>
         <source>In this session</source>
@@ -8874,28 +8890,28 @@ Median; gut: unter %1</translation>
         <translation>Folgt</translation>
     </message>
     <message>
-        <source>Posture and scaled hand</source>
-        <translation>Haltung, skalierte Hand</translation>
+        <source>The whole posture</source>
+        <translation>Die ganze Haltung</translation>
     </message>
     <message>
-        <source>The hand’s way only</source>
-        <translation>Nur der Weg der Hand</translation>
+        <source>Path of the hand only</source>
+        <translation>Nur die Bahn der Hand</translation>
     </message>
     <message>
         <source>Speed of the robot</source>
         <translation>Tempo des Roboters</translation>
     </message>
     <message>
-        <source>It follows when</source>
-        <translation>Er folgt, wenn</translation>
+        <source>It begins to follow when</source>
+        <translation>Er beginnt zu folgen, wenn</translation>
     </message>
     <message>
         <source>each joint is within</source>
         <translation>jedes Gelenk näher ist als</translation>
     </message>
     <message>
-        <source>A joint may be so far away when following begins</source>
-        <translation>So weit darf ein Gelenk entfernt sein, wenn das Folgen beginnt</translation>
+        <source>Largest distance of a joint at which following can begin</source>
+        <translation>Größter Abstand eines Gelenks, bei dem das Folgen beginnen kann</translation>
     </message>
     <message>
         <source>The robot holds by itself when</source>
@@ -8910,8 +8926,8 @@ Median; gut: unter %1</translation>
         <translation>keine Pose seit</translation>
     </message>
     <message>
-        <source>robot silent for</source>
-        <translation>Roboter stumm seit</translation>
+        <source>no answer for</source>
+        <translation>keine Antwort seit</translation>
     </message>
     <message>
         <source>joint off by</source>
@@ -8940,16 +8956,16 @@ Median; gut: unter %1</translation>
         <translation>Trennen</translation>
     </message>
     <message>
-        <source>The robot is not driven</source>
-        <translation>Der Roboter wird nicht geführt</translation>
+        <source>The robot gets no commands</source>
+        <translation>Der Roboter bekommt keine Befehle</translation>
     </message>
     <message>
         <source>a joint turns by at most %1 a second</source>
         <translation>ein Gelenk dreht höchstens %1 je Sekunde</translation>
     </message>
     <message>
-        <source>Robot’s arm %1 long. The reference is the chest, so walking does not move the arm.</source>
-        <translation>Arm des Roboters %1 lang. Bezug ist die Brust, Gehen bewegt den Arm also nicht.</translation>
+        <source>The robot’s arm is %1 long. Your hand counts from your chest, so walking does not move the arm.</source>
+        <translation>Der Arm des Roboters ist %1 lang. Ihre Hand zählt von der Brust aus, Gehen bewegt den Arm also nicht.</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -9005,24 +9021,24 @@ Median; gut: unter %1</translation>
         <translation>Roboter wird gesucht</translation>
     </message>
     <message>
-        <source>It has not told yet where it stands.</source>
-        <translation>Er hat noch nicht gesagt, wo er steht.</translation>
+        <source>It has not yet said how its joints stand.</source>
+        <translation>Er hat noch nicht gesagt, wie seine Gelenke stehen.</translation>
     </message>
     <message>
-        <source>Bring your arms to the robot’s posture: the outline is you.</source>
-        <translation>Bringen Sie die Arme in die Haltung des Roboters: Der Umriss sind Sie.</translation>
+        <source>Bring your arms to the robot’s posture. The outline shows yours.</source>
+        <translation>Bringen Sie die Arme in die Haltung des Roboters. Der Umriss zeigt Ihre.</translation>
     </message>
     <message>
-        <source>Hold F8 with the clutch in to compare both postures.</source>
-        <translation>Halten Sie F8 und kuppeln Sie ein, um beide Haltungen zu vergleichen.</translation>
+        <source>Hold F8 with the clutch in: your posture is compared with the robot’s.</source>
+        <translation>Halten Sie F8 und kuppeln Sie ein: Ihre Haltung wird mit der des Roboters verglichen.</translation>
     </message>
     <message>
-        <source>Every joint is near enough. Following begins within a second of your word.</source>
-        <translation>Jedes Gelenk ist nah genug. Auf Ihr Wort folgt er innerhalb einer Sekunde.</translation>
+        <source>Every joint is near enough. Press Follow (A) when nobody is in reach of the robot.</source>
+        <translation>Jedes Gelenk ist nah genug. Drücken Sie Folgen (A), wenn niemand in Reichweite des Roboters ist.</translation>
     </message>
     <message>
-        <source>The arm moves as you do.</source>
-        <translation>Der Arm bewegt sich wie Sie.</translation>
+        <source>The robot moves as the performer does.</source>
+        <translation>Der Roboter bewegt sich wie der Darsteller.</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -9038,12 +9054,12 @@ Median; gut: unter %1</translation>
         <translation>Folgen</translation>
     </message>
     <message>
-        <source>The robot goes over to you within a second.</source>
-        <translation>Der Roboter geht innerhalb einer Sekunde zu Ihnen über.</translation>
+        <source>Within a second the robot takes the performer’s posture and follows.</source>
+        <translation>Innerhalb einer Sekunde nimmt der Roboter die Haltung des Darstellers an und folgt.</translation>
     </message>
     <message>
-        <source>The robot stands still until you synchronise.</source>
-        <translation>Der Roboter steht still, bis Sie synchronisieren.</translation>
+        <source>The robot stands still until you press Follow.</source>
+        <translation>Der Roboter steht still, bis Sie Folgen drücken.</translation>
     </message>
     <message>
         <source>Choose a robot first.</source>
@@ -9054,20 +9070,20 @@ Median; gut: unter %1</translation>
         <translation>Stopp aufheben</translation>
     </message>
     <message>
-        <source>Then synchronise again.</source>
-        <translation>Dann neu synchronisieren.</translation>
+        <source>Then hold F8, bring your arms near, and press Follow.</source>
+        <translation>Dann F8 halten, die Arme heranbringen und Folgen drücken.</translation>
     </message>
     <message>
         <source>Synchronise again</source>
         <translation>Neu synchronisieren</translation>
     </message>
     <message>
-        <source>Holds first, then shows how far each joint is.</source>
-        <translation>Hält zuerst, zeigt dann, wie weit jedes Gelenk ist.</translation>
+        <source>The robot holds, and you see how far each joint is from yours.</source>
+        <translation>Der Roboter hält, und Sie sehen, wie weit jedes Gelenk von Ihrem entfernt ist.</translation>
     </message>
     <message>
-        <source>Hold F8 with the clutch in, and bring every joint near to the robot’s.</source>
-        <translation>Halten Sie F8, kuppeln Sie ein und bringen Sie jedes Gelenk nah an das des Roboters.</translation>
+        <source>Hold F8 with the clutch in, and bring your arms near to the robot’s posture.</source>
+        <translation>Halten Sie F8, kuppeln Sie ein und bringen Sie die Arme nah an die Haltung des Roboters.</translation>
     </message>
 </context>
 <context>
@@ -9088,8 +9104,8 @@ Median; gut: unter %1</translation>
         <translation>der Roboter antwortet nicht</translation>
     </message>
     <message>
-        <source>the robot refuses</source>
-        <translation>der Roboter lehnt ab</translation>
+        <source>the robot refuses commands</source>
+        <translation>der Roboter lehnt Befehle ab</translation>
     </message>
     <message>
         <source>a joint does not follow</source>
@@ -9100,15 +9116,15 @@ Median; gut: unter %1</translation>
         <translation>gestoppt</translation>
     </message>
     <message>
-        <source>performer not seen</source>
-        <translation>Darsteller nicht gesehen</translation>
+        <source>no pose of the performer</source>
+        <translation>keine Pose des Darstellers</translation>
     </message>
     <message>
         <source>key released</source>
         <translation>Taste losgelassen</translation>
     </message>
     <message>
-        <source>clutch out</source>
+        <source>the clutch is out</source>
         <translation>ausgekuppelt</translation>
     </message>
     <message>
@@ -9136,20 +9152,20 @@ Median; gut: unter %1</translation>
         <translation>Er soll halten. Prüfen Sie sein Programm und das Netz.</translation>
     </message>
     <message>
-        <source>The robot refuses</source>
-        <translation>Der Roboter lehnt ab</translation>
+        <source>The robot refuses commands</source>
+        <translation>Der Roboter lehnt Befehle ab</translation>
     </message>
     <message>
-        <source>A command was too far from where it is. Commands go back to it; synchronise again.</source>
-        <translation>Ein Befehl war zu weit von dort, wo er steht. Die Befehle gehen zu ihm zurück; synchronisieren Sie neu.</translation>
+        <source>A command was too far from where it stands. They begin there again: bring your arms near, then press Follow.</source>
+        <translation>Ein Befehl war zu weit von dort, wo er steht. Sie beginnen wieder dort: Bringen Sie die Arme heran und drücken Sie Folgen.</translation>
     </message>
     <message>
         <source>%1 does not follow</source>
         <translation>%1 folgt nicht</translation>
     </message>
     <message>
-        <source>It is %1 from its command. Commands go back to where the robot is; check the joint, then synchronise again.</source>
-        <translation>Es ist %1 von seinem Befehl entfernt. Die Befehle gehen zum Roboter zurück; prüfen Sie das Gelenk, dann synchronisieren Sie neu.</translation>
+        <source>It is %1 away from its command. Check the joint. Commands begin again where the robot stands: bring your arms near, then press Follow.</source>
+        <translation>Es ist %1 von seinem Befehl entfernt. Prüfen Sie das Gelenk. Die Befehle beginnen wieder dort, wo der Roboter steht: Bringen Sie die Arme heran und drücken Sie Folgen.</translation>
     </message>
     <message>
         <source>No fresh pose of the performer</source>
@@ -9160,20 +9176,20 @@ Median; gut: unter %1</translation>
         <translation>Der Roboter hält. Prüfen Sie den Anzug und seine Verbindung.</translation>
     </message>
     <message>
-        <source>%1 is %2 away</source>
-        <translation>%1 ist %2 entfernt</translation>
+        <source>%1 is %2 from your posture</source>
+        <translation>%1 ist %2 von Ihrer Haltung entfernt</translation>
     </message>
     <message>
         <source>Bring the arm nearer to the robot’s posture.</source>
         <translation>Bringen Sie den Arm näher an die Haltung des Roboters.</translation>
     </message>
     <message>
-        <source>Arms too near</source>
-        <translation>Arme zu nah</translation>
+        <source>Too near to each other</source>
+        <translation>Zu nah beieinander</translation>
     </message>
     <message>
-        <source>%1 would come too near; the arms brake. Move them apart.</source>
-        <translation>%1 kämen sich zu nah; die Arme bremsen. Nehmen Sie sie auseinander.</translation>
+        <source>%1 would touch, so the robot’s arms slow down. Move your arms apart.</source>
+        <translation>%1 würden sich berühren, deshalb werden die Arme des Roboters langsamer. Nehmen Sie Ihre Arme auseinander.</translation>
     </message>
     <message>
         <source>The pose is uncertain</source>
@@ -9184,12 +9200,12 @@ Median; gut: unter %1</translation>
         <translation>Der Roboter bewegt sich langsam, bis der Anzug wieder sicher ist.</translation>
     </message>
     <message>
-        <source>The hand leaves the allowed box</source>
-        <translation>Die Hand verlässt den erlaubten Raum</translation>
+        <source>The hand would leave the allowed box</source>
+        <translation>Die Hand würde den erlaubten Raum verlassen</translation>
     </message>
     <message>
-        <source>The robot stays at its border.</source>
-        <translation>Der Roboter bleibt an dessen Grenze.</translation>
+        <source>The robot stays at the border of it. Bring your hand back.</source>
+        <translation>Der Roboter bleibt an dessen Grenze. Nehmen Sie die Hand zurück.</translation>
     </message>
     <message>
         <source>Both arms</source>
@@ -10352,8 +10368,8 @@ Drehen, beide Richtungen x3</translation>
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>a joint is over %1 away</source>
-        <translation>ein Gelenk ist über %1 entfernt</translation>
+        <source>a joint is more than %1 away</source>
+        <translation>ein Gelenk ist mehr als %1 entfernt</translation>
     </message>
     <message>
         <source>every joint within %1</source>

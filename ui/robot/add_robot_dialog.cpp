@@ -48,7 +48,7 @@ AddRobotDialog::AddRobotDialog(const RobotChoice& choice, QWidget* parent)
     rows->addRow(tr("Address"), address_);
     body_->addItems(bodyChoices());
     rows->addRow(tr("Driven"), body_);
-    follows_->addItems({tr("Posture and scaled hand"), tr("The hand’s way only")});
+    follows_->addItems({tr("The whole posture"), tr("Path of the hand only")});
     rows->addRow(tr("Follows"), follows_);
     content()->addWidget(rows);
     const bool is_udp = choice.address.startsWith(kSchemes[1]);

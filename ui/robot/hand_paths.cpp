@@ -32,7 +32,7 @@ HandPathsView::HandPathsView(QWidget* parent) : QWidget(parent) {
 
 void HandPathsView::show(RobotDrive::HandPaths paths) {
     paths_ = std::move(paths);
-    setAccessibleDescription(paths_.tracking ? tr("%1 behind, %2 remain after that")
+    setAccessibleDescription(paths_.tracking ? tr("%1 late; without that, %2 off")
                                                    .arg(secondsText(paths_.tracking->delay_s, 2),
                                                         millimetresText(paths_.tracking->rest_rms_m))
                                              : tr("The hand does not move"));

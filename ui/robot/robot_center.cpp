@@ -129,8 +129,15 @@ QWidget* RobotCenter::makePaths() {
     auto* rows = new FormRows;
     const QString names[] = {tr("Suit to command"), tr("Command to arm"), tr("Whole chain"),
                              tr("Rest after delay")};
-    for (int i = 0; i < 4; ++i)
+    const QString meanings[] = {
+        tr("From a reading of the suit to the command: half of all commands take less than the first time, "
+           "999 of 1000 less than the second."),
+        tr("From a command until the robot’s hand is there."), tr("Both together."),
+        tr("How far the hand is from its command when the delay is left aside: on average, and at most.")};
+    for (int i = 0; i < 4; ++i) {
         figures_[i] = rows->addValue(names[i], QStringLiteral("–"));
+        figures_[i]->setToolTip(meanings[i]);
+    }
     row->addWidget(rows);
     return part;
 }
@@ -197,7 +204,7 @@ void RobotCenter::showKeys() {
     if (drive_.deadMan())
         dead_man_->setLook(Tone::kOk, tr("Key is held"), tr("Let go, and the robot holds"));
     else
-        dead_man_->setLook(Tone::kNeutral, tr("Hold the key"), tr("The robot moves only meanwhile"));
+        dead_man_->setLook(Tone::kNeutral, tr("Hold the key"), tr("It moves only while held"));
     clutch_->setChecked(drive_.clutch());
     if (drive_.clutch())
         clutch_->setLook(Tone::kOk, tr("Clutch in"), tr("Out: the robot stays"));
@@ -261,7 +268,8 @@ void RobotCenter::showRecording() {
         lack = drive_.whyNotRecord();
     record_->setDisabledBecause(lack);
     const bool has_recorded = !drive_.recordedPaths().commanded.empty();
-    recorded_->setDisabledBecause(has_recorded ? QString() : tr("No drive was recorded in this session."));
+    recorded_->setDisabledBecause(has_recorded ? QString()
+                                               : tr("No commands were recorded in this session."));
     if (!has_recorded)
         recorded_->setChecked(false);
 }

@@ -29,11 +29,11 @@ QString linkInWords(RobotDrive::Link link) {
         case RobotDrive::Link::kOff:
             return RobotSidebar::tr("not connected");
         case RobotDrive::Link::kConnecting:
-            return RobotSidebar::tr("looking for it");
+            return RobotSidebar::tr("looking for the robot");
         case RobotDrive::Link::kAnswers:
             return RobotSidebar::tr("answers");
         case RobotDrive::Link::kSilent:
-            return RobotSidebar::tr("silent");
+            return RobotSidebar::tr("does not answer");
     }
     return {};
 }
@@ -107,7 +107,7 @@ QWidget* RobotSidebar::makeLeading() {
     };
     leader_ = add(tr("Led by"), {tr("The suit, live"), tr("The take in Review")});
     body_ = add(tr("Driven"), bodyChoices());
-    follows_ = add(tr("Follows"), {tr("Posture and scaled hand"), tr("The hand’s way only")});
+    follows_ = add(tr("Follows"), {tr("The whole posture"), tr("Path of the hand only")});
     lengths_ = new Label({}, TextRole::kSecondary, Ink::kLabel);
     column->addWidget(lengths_->wrapped());
     return part;
@@ -133,21 +133,21 @@ QWidget* RobotSidebar::makeSpeed() {
 QWidget* RobotSidebar::makeLimits() {
     auto* part = new QWidget;
     auto* column = makeColumn(part, {12, 8, 12, 12}, 4);
-    column->addWidget(new SectionHeader(tr("It follows when")));
+    column->addWidget(new SectionHeader(tr("It begins to follow when")));
     auto* row = addRow(column);
     row->addWidget((new Label(tr("each joint is within"), TextRole::kSecondary, Ink::kLabel))->wrapped(), 1);
     within_ = new QDoubleSpinBox;
     within_->setRange(1, 90);
     within_->setDecimals(0);
     within_->setSuffix(QStringLiteral("°"));
-    within_->setAccessibleName(tr("A joint may be so far away when following begins"));
+    within_->setAccessibleName(tr("Largest distance of a joint at which following can begin"));
     row->addWidget(within_);
     column->addWidget(new SectionHeader(tr("The robot holds by itself when")));
     auto* rows = new NumberRows;
     const robot::DriveSettings usual;
     const auto milliseconds = [](double s) { return tr("%1 ms").arg(1000 * s, 0, 'f', 0); };
     rows->setValue(rows->addRow("clock", tr("no pose for")), milliseconds(usual.teleop.stale_s));
-    rows->setValue(rows->addRow("link", tr("robot silent for")), milliseconds(usual.robot_stale_s));
+    rows->setValue(rows->addRow("link", tr("no answer for")), milliseconds(usual.robot_stale_s));
     rows->setValue(rows->addRow("angle", tr("joint off by")), degreesText(usual.off_rad, 0));
     column->addWidget(rows);
     return part;
@@ -227,7 +227,7 @@ void RobotSidebar::showLink() {
         problem_ = new ProblemCard(Tone::kError, {}, {});
         robot_column_->insertWidget(1, problem_);
     }
-    problem_->setTexts(tr("The robot is not driven"), trouble);
+    problem_->setTexts(tr("The robot gets no commands"), trouble);
 }
 
 void RobotSidebar::showLeader() {
@@ -244,7 +244,8 @@ void RobotSidebar::showLeader() {
     const QString lack = drive_.whyNoLeader();
     QString lengths;
     for (size_t i = 0; parts && i < parts->driven.arms.size() && i < 1; ++i)
-        lengths = tr("Robot’s arm %1 long. The reference is the chest, so walking does not move the arm.")
+        lengths = tr("The robot’s arm is %1 long. Your hand counts from your chest, so walking does not move "
+                     "the arm.")
                       .arg(metresText(parts->driven.arms[i].length_m));
     lengths_->setInk(lack.isEmpty() ? Ink::kLabel : Ink::kWarn);
     lengths_->setText(lack.isEmpty() ? lengths : lack);

@@ -78,19 +78,20 @@ void RobotStatePanel::showState() {
     } else if (drive_.link() == RobotDrive::Link::kConnecting) {
         title = tr("Looking for the robot");
         tone = Tone::kNeutral;
-        text = tr("It has not told yet where it stands.");
+        text = tr("It has not yet said how its joints stand.");
     } else {
         switch (drive_.word()) {
             case RobotWord::kNotSynchronised:
                 text = drive_.deadMan() && drive_.clutch()
-                           ? tr("Bring your arms to the robot’s posture: the outline is you.")
-                           : tr("Hold F8 with the clutch in to compare both postures.");
+                           ? tr("Bring your arms to the robot’s posture. The outline shows yours.")
+                           : tr("Hold F8 with the clutch in: your posture is compared with the robot’s.");
                 break;
             case RobotWord::kReady:
-                text = tr("Every joint is near enough. Following begins within a second of your word.");
+                text =
+                    tr("Every joint is near enough. Press Follow (A) when nobody is in reach of the robot.");
                 break;
             case RobotWord::kFollowing:
-                text = tr("The arm moves as you do.");
+                text = tr("The robot moves as the performer does.");
                 break;
             case RobotWord::kHolding:
                 title = drive_.holdingReason().isEmpty()
@@ -140,19 +141,20 @@ void RobotStatePanel::showWayOn() {
     const auto* output = outputOf(drive_);
     const bool is_off = drive_.link() == RobotDrive::Link::kOff;
     const bool is_stopped = !is_off && output && output->state == robot::TeleopState::kStopped;
-    QString words = tr("Follow"), about = tr("The robot goes over to you within a second."), lack;
+    QString words = tr("Follow"),
+            about = tr("Within a second the robot takes the performer’s posture and follows."), lack;
     if (is_off) {
         words = tr("Connect");
-        about = tr("The robot stands still until you synchronise.");
+        about = tr("The robot stands still until you press Follow.");
         lack = drive_.hasRobot() ? QString() : tr("Choose a robot first.");
     } else if (is_stopped) {
         words = tr("Release the stop");
-        about = tr("Then synchronise again.");
+        about = tr("Then hold F8, bring your arms near, and press Follow.");
     } else if (drive_.word() == RobotWord::kFollowing) {
         words = tr("Synchronise again");
-        about = tr("Holds first, then shows how far each joint is.");
+        about = tr("The robot holds, and you see how far each joint is from yours.");
     } else if (drive_.word() != RobotWord::kReady) {
-        lack = tr("Hold F8 with the clutch in, and bring every joint near to the robot’s.");
+        lack = tr("Hold F8 with the clutch in, and bring your arms near to the robot’s posture.");
     }
     way_on_->setText(words);
     way_on_->setDisabledBecause(lack);

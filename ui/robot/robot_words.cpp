@@ -26,16 +26,16 @@ QString whyHeld(const robot::DriveOutput& output, const OperatorHolds& keys) {
     if (output.trouble == DriveTrouble::kRobotSilent)
         return said(QT_TRANSLATE_NOOP("noctule::ui::RobotWords", "the robot does not answer"));
     if (output.trouble == DriveTrouble::kRobotRefuses)
-        return said(QT_TRANSLATE_NOOP("noctule::ui::RobotWords", "the robot refuses"));
+        return said(QT_TRANSLATE_NOOP("noctule::ui::RobotWords", "the robot refuses commands"));
     if (output.trouble == DriveTrouble::kJointOff)
         return said(QT_TRANSLATE_NOOP("noctule::ui::RobotWords", "a joint does not follow"));
     if (output.state == TeleopState::kStopped)
         return said(QT_TRANSLATE_NOOP("noctule::ui::RobotWords", "stopped"));
     if (output.state == TeleopState::kLost || output.trouble == DriveTrouble::kNoPose)
-        return said(QT_TRANSLATE_NOOP("noctule::ui::RobotWords", "performer not seen"));
+        return said(QT_TRANSLATE_NOOP("noctule::ui::RobotWords", "no pose of the performer"));
     if (!keys.dead_man)
         return said(QT_TRANSLATE_NOOP("noctule::ui::RobotWords", "key released"));
-    return keys.clutch ? QString() : said(QT_TRANSLATE_NOOP("noctule::ui::RobotWords", "clutch out"));
+    return keys.clutch ? QString() : said(QT_TRANSLATE_NOOP("noctule::ui::RobotWords", "the clutch is out"));
 }
 
 QString readable(QString name) {
@@ -103,16 +103,17 @@ RobotProblem problemOf(const robot::DriveOutput& output) {
                                            "It is told to hold. Check its program and the network.")),
                     true};
         case DriveTrouble::kRobotRefuses:
-            return {said(QT_TRANSLATE_NOOP("noctule::ui::RobotWords", "The robot refuses")),
+            return {said(QT_TRANSLATE_NOOP("noctule::ui::RobotWords", "The robot refuses commands")),
                     said(QT_TRANSLATE_NOOP("noctule::ui::RobotWords",
-                                           "A command was too far from where it is. Commands go back to it; "
-                                           "synchronise again.")),
+                                           "A command was too far from where it stands. They begin there "
+                                           "again: bring your arms near, then press Follow.")),
                     true};
         case DriveTrouble::kJointOff:
             return {said(QT_TRANSLATE_NOOP("noctule::ui::RobotWords", "%1 does not follow")).arg(about),
-                    said(QT_TRANSLATE_NOOP("noctule::ui::RobotWords",
-                                           "It is %1 from its command. Commands go back to where the robot "
-                                           "is; check the joint, then synchronise again."))
+                    said(QT_TRANSLATE_NOOP(
+                             "noctule::ui::RobotWords",
+                             "It is %1 away from its command. Check the joint. Commands begin again where "
+                             "the robot stands: bring your arms near, then press Follow."))
                         .arg(off),
                     true};
         case DriveTrouble::kNoPose:
@@ -121,14 +122,16 @@ RobotProblem problemOf(const robot::DriveOutput& output) {
                                            "The robot holds. Check the suit and its link.")),
                     false};
         case DriveTrouble::kTooFar:
-            return {said(QT_TRANSLATE_NOOP("noctule::ui::RobotWords", "%1 is %2 away")).arg(about, off),
+            return {said(QT_TRANSLATE_NOOP("noctule::ui::RobotWords", "%1 is %2 from your posture"))
+                        .arg(about, off),
                     said(QT_TRANSLATE_NOOP("noctule::ui::RobotWords",
                                            "Bring the arm nearer to the robot’s posture.")),
                     false};
         case DriveTrouble::kTooNear:
-            return {said(QT_TRANSLATE_NOOP("noctule::ui::RobotWords", "Arms too near")),
-                    said(QT_TRANSLATE_NOOP("noctule::ui::RobotWords",
-                                           "%1 would come too near; the arms brake. Move them apart."))
+            return {said(QT_TRANSLATE_NOOP("noctule::ui::RobotWords", "Too near to each other")),
+                    said(QT_TRANSLATE_NOOP(
+                             "noctule::ui::RobotWords",
+                             "%1 would touch, so the robot’s arms slow down. Move your arms apart."))
                         .arg(about),
                     false};
         case DriveTrouble::kUncertain:
@@ -137,9 +140,11 @@ RobotProblem problemOf(const robot::DriveOutput& output) {
                                            "The robot moves slowly until the suit is sure again.")),
                     false};
         case DriveTrouble::kOutsideBox:
-            return {said(QT_TRANSLATE_NOOP("noctule::ui::RobotWords", "The hand leaves the allowed box")),
-                    said(QT_TRANSLATE_NOOP("noctule::ui::RobotWords", "The robot stays at its border.")),
-                    false};
+            return {
+                said(QT_TRANSLATE_NOOP("noctule::ui::RobotWords", "The hand would leave the allowed box")),
+                said(QT_TRANSLATE_NOOP("noctule::ui::RobotWords",
+                                       "The robot stays at the border of it. Bring your hand back.")),
+                false};
         case DriveTrouble::kNone:
             break;
     }

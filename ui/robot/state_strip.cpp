@@ -42,7 +42,7 @@ void StateStrip::show(RobotWord word, const QString& reason, double accept_withi
 QString StateStrip::meaningOf(RobotWord word) const {
     switch (word) {
         case RobotWord::kNotSynchronised:
-            return tr("a joint is over %1 away").arg(degreesText(accept_within_rad_, 0));
+            return tr("a joint is more than %1 away").arg(degreesText(accept_within_rad_, 0));
         case RobotWord::kReady:
             return tr("every joint within %1").arg(degreesText(accept_within_rad_, 0));
         case RobotWord::kFollowing:
