@@ -27,14 +27,6 @@ Performer firstPerformer() {
     return performer;
 }
 
-Result<Session> readSessionFile(const fs::path& folder) {
-    const std::string path = (folder / kFile).string();
-    const Result<std::string> text = readWholeFile(path);
-    if (!text)
-        return text.error();
-    return sessionFromText(*text, path);
-}
-
 /// What is safe comes with what is wrong.
 Error withTakesSafe(Error error, const fs::path& folder) {
     const size_t takes = takeFilesIn(folder / "takes").size();
@@ -101,6 +93,17 @@ Status setDamagedFileAside(const fs::path& folder) {
 
 }  // namespace
 
+Result<Session> readSession(const fs::path& folder) {
+    const std::string path = (folder / kFile).string();
+    const Result<std::string> text = readWholeFile(path);
+    if (!text)
+        return text.error();
+    Result<Session> session = sessionFromText(*text, path);
+    if (session)
+        session->folder = folder;
+    return session;
+}
+
 Result<Session> createSession(const fs::path& folder, const std::string& name,
                               const std::string& created_utc) {
     std::error_code error;
@@ -140,10 +143,9 @@ Result<Session> openSession(const fs::path& folder, const JobContext& job) {
     if (!anything)
         return Error{ErrorKind::kUnreadable, folder.string() + ": holds no session",
                      "Choose the folder of a session"};
-    Result<Session> session = readSessionFile(folder);
+    Result<Session> session = readSession(folder);
     if (!session)
         return withTakesSafe(session.error(), folder);
-    session->folder = folder;
     for (const std::string& file : takeFilesIn(session->takesFolder()))
         if (session->findTake(fs::path(file).stem().string()) < 0) {
             SessionTake& take = session->takes.emplace_back();
@@ -162,7 +164,7 @@ Result<Session> openSession(const fs::path& folder, const JobContext& job) {
 }
 
 bool canRebuildSession(const fs::path& folder) {
-    const Result<Session> session = readSessionFile(folder);
+    const Result<Session> session = readSession(folder);
     return !session && session.error().kind == ErrorKind::kUnreadable &&
            !takeFilesIn(folder / "takes").empty();
 }

@@ -92,6 +92,8 @@ Result<Session> createSession(const std::filesystem::path& folder, const std::st
 /// Reads session.json and looks at every take in takes/ (also those that session.json does not know). A
 /// damaged session.json is an error that says what is safe; damaged takes are listed with their problem.
 Result<Session> openSession(const std::filesystem::path& folder, const JobContext& job);
+/// What session.json says; takes are not looked at.
+Result<Session> readSession(const std::filesystem::path& folder);
 /// Writes session.json aside and renames it.
 Status saveSession(const Session& session);
 

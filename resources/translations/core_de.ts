@@ -8096,6 +8096,10 @@
         <translation>%1: ist schon abgeschlossen</translation>
     </message>
     <message>
+        <source>%1: is in this session already</source>
+        <translation>%1: ist schon in dieser Sitzung</translation>
+    </message>
+    <message>
         <source>%1: is not a session with takes and a damaged list</source>
         <translation>%1: ist keine Sitzung mit Aufnahmen und beschädigter Liste</translation>
     </message>
@@ -8106,6 +8110,14 @@
     <message>
         <source>%1: is not empty</source>
         <translation>%1: ist nicht leer</translation>
+    </message>
+    <message>
+        <source>%1: is not there any more</source>
+        <translation>%1: ist nicht mehr da</translation>
+    </message>
+    <message>
+        <source>%1: the recording was not finished</source>
+        <translation>%1: Die Aufnahme wurde nicht beendet</translation>
     </message>
     <message>
         <source>%1: the recording was not finished. What was written is safe; recover it.</source>
@@ -8136,6 +8148,10 @@
         <translation>Eine andere wählen</translation>
     </message>
     <message>
+        <source>Choose another session</source>
+        <translation>Eine andere Sitzung wählen</translation>
+    </message>
+    <message>
         <source>Choose the folder of a session</source>
         <translation>Den Ordner einer Sitzung wählen</translation>
     </message>
@@ -8148,8 +8164,16 @@
         <translation>So öffnen, wie sie ist</translation>
     </message>
     <message>
+        <source>Put it back</source>
+        <translation>Zurücklegen</translation>
+    </message>
+    <message>
         <source>Rebuild the session from its takes; a damaged session.json is kept beside the new one</source>
         <translation>Die Sitzung aus ihren Aufnahmen neu aufbauen; eine beschädigte session.json bleibt neben der neuen erhalten</translation>
+    </message>
+    <message>
+        <source>Recover it first</source>
+        <translation>Zuerst wiederherstellen</translation>
     </message>
     <message>
         <source>Rename or remove the one that is there first</source>

@@ -9836,6 +9836,45 @@ Median; gut: unter %1</translation>
         <source>The folder of the session, %1, is not there any more. Put it back; what you change meanwhile is kept here and saved then.</source>
         <translation>Der Ordner der Sitzung, %1, ist nicht mehr da. Legen Sie ihn zurück; Änderungen bleiben bis dahin hier und werden dann gespeichert.</translation>
     </message>
+    <message>
+        <source>%1 is in “%2”</source>
+        <comment>take, session</comment>
+        <translation>%1 ist in „%2“</translation>
+    </message>
+    <message>
+        <source>%1 is in “%2” as %3: the name was taken there, and both are kept</source>
+        <comment>take, session, name of the take there</comment>
+        <translation>%1 ist in „%2“ als %3: Der Name war dort vergeben, beide bleiben erhalten</translation>
+    </message>
+    <message>
+        <source>A copy of %1 is in “%2”; the take also stays where it was</source>
+        <comment>take, session</comment>
+        <translation>Eine Kopie von %1 ist in „%2“; die Aufnahme bleibt auch, wo sie war</translation>
+    </message>
+    <message>
+        <source>Moving %1 to %2</source>
+        <translation>%1 wird nach %2 verschoben</translation>
+    </message>
+    <message>
+        <source>Copying %1 to %2</source>
+        <translation>%1 wird nach %2 kopiert</translation>
+    </message>
+    <message>
+        <source>%1 was not moved</source>
+        <translation>%1 wurde nicht verschoben</translation>
+    </message>
+    <message>
+        <source>%1 was not copied</source>
+        <translation>%1 wurde nicht kopiert</translation>
+    </message>
+    <message>
+        <source>%1 was not moved: its session was closed meanwhile</source>
+        <translation>%1 wurde nicht verschoben: Die Sitzung wurde inzwischen geschlossen</translation>
+    </message>
+    <message>
+        <source>Move %1 to “%2”</source>
+        <translation>%1 nach „%2“ verschieben</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::SessionNotices</name>
@@ -10754,6 +10793,14 @@ Drehen, beide Richtungen x3</translation>
         <source>Rename</source>
         <translation>Umbenennen</translation>
     </message>
+    <message>
+        <source>Move to session…</source>
+        <translation>In andere Sitzung verschieben…</translation>
+    </message>
+    <message>
+        <source>Copy to session…</source>
+        <translation>In andere Sitzung kopieren…</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::TakeListModel</name>
@@ -11008,6 +11055,62 @@ Drehen, beide Richtungen x3</translation>
     <message>
         <source>Wizards find out how the suit measures and how it sits on the body. They go on by themselves and say when something is not good enough.</source>
         <translation>Assistenten finden heraus, wie der Anzug misst und wie er am Körper sitzt. Sie gehen von selbst weiter und sagen, wenn etwas nicht gut genug ist.</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::TransferDialog</name>
+    <message>
+        <source>Move %1 to another session</source>
+        <translation>%1 in eine andere Sitzung verschieben</translation>
+    </message>
+    <message>
+        <source>Copy %1 to another session</source>
+        <translation>%1 in eine andere Sitzung kopieren</translation>
+    </message>
+    <message>
+        <source>Its results, markers, notes, rating and calibration go with it. Where its name is taken, both takes are kept.</source>
+        <translation>Ergebnisse, Marken, Notizen, Bewertung und Kalibrierung gehen mit. Wo der Name vergeben ist, bleiben beide Aufnahmen erhalten.</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Session</source>
+        <translation>Sitzung</translation>
+    </message>
+    <message>
+        <source>Another session</source>
+        <translation>Andere Sitzung</translation>
+    </message>
+    <message>
+        <source>%1   in %2</source>
+        <comment>name of a session, folder</comment>
+        <translation>%1   in %2</translation>
+    </message>
+    <message>
+        <source>The take is in this session already. Choose another one.</source>
+        <translation>Die Aufnahme ist schon in dieser Sitzung. Eine andere wählen.</translation>
+    </message>
+    <message>
+        <source>%1 is no session. Choose the folder of one; it holds session.json.</source>
+        <translation>%1 ist keine Sitzung. Den Ordner einer Sitzung wählen; er enthält session.json.</translation>
+    </message>
+    <message>
+        <source>Choose a session</source>
+        <translation>Sitzung wählen</translation>
+    </message>
+    <message>
+        <source>Choose a session.</source>
+        <translation>Eine Sitzung wählen.</translation>
+    </message>
+    <message>
+        <source>“%1” is open in another window. Close it there first.</source>
+        <translation>„%1“ ist in einem anderen Fenster offen. Zuerst dort schließen.</translation>
     </message>
 </context>
 <context>

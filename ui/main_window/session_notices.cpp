@@ -12,8 +12,8 @@ namespace {
 constexpr const char* kMarkerTopic = "session marker";
 constexpr const char* kInterrupted = "interrupted take";
 constexpr const char* kDamaged = "damaged session";
-constexpr const char* kTrashed = "trashed take";
-constexpr int kTrashedShown_ms = 12000;
+constexpr const char* kGone = "take that went";
+constexpr int kGoneShown_ms = 12000;
 
 }  // namespace
 
@@ -22,20 +22,25 @@ SessionNotices::SessionNotices(Studio& studio, Notices& notices, QObject* parent
     connect(&studio.session(), &SessionModel::damaged, this, &SessionNotices::tellDamaged);
     connect(&studio.session(), &SessionModel::changed, this, &SessionNotices::tellInterrupted);
     connect(&studio.session(), &SessionModel::takeTrashed, this, &SessionNotices::tellTrashed);
+    connect(&studio.session(), &SessionModel::takeMoved, this,
+            [this](const QString& outcome) { offerUndo(outcome, {}); });
     // Any further step makes Undo mean something else.
     connect(&studio.session().undoStack(), &QUndoStack::indexChanged, this,
-            [this] { notices_.remove(kTrashed); });
+            [this] { notices_.remove(kGone); });
 }
 
 void SessionNotices::tellTrashed(const QString& name) {
-    notices_.add({Tone::kNeutral, tr("%1 was moved to the trash").arg(name),
-                  tr("The trash is a folder of the session."), tr("Undo"),
-                  [this] { studio_.session().undoStack().undo(); }, kTrashed});
-    QTimer::singleShot(kTrashedShown_ms, this, [this] { notices_.remove(kTrashed); });
+    offerUndo(tr("%1 was moved to the trash").arg(name), tr("The trash is a folder of the session."));
+}
+
+void SessionNotices::offerUndo(const QString& title, const QString& text) {
+    notices_.add(
+        {Tone::kNeutral, title, text, tr("Undo"), [this] { studio_.session().undoStack().undo(); }, kGone});
+    QTimer::singleShot(kGoneShown_ms, this, [this] { notices_.remove(kGone); });
 }
 
 void SessionNotices::forget() {
-    notices_.remove(kTrashed);
+    notices_.remove(kGone);
     notices_.remove(kMarkerTopic);
     notices_.remove(kInterrupted);
     in_use_ = false;

@@ -23,6 +23,7 @@ public:
 
 private:
     void tellTrashed(const QString& name);
+    void offerUndo(const QString& title, const QString& text);
     void tellDamaged(const QString& folder, const QString& problem);
     void tellInterrupted();
     Notice interruptedNotice(const QStringList& names);

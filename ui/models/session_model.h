@@ -18,6 +18,10 @@
 #include "ui/models/session_saver.h"
 #include "ui/models/undo_history.h"
 
+namespace noctule {
+struct TakeTransfer;
+}
+
 namespace noctule::ui {
 
 class SessionModel : public QObject {
@@ -75,6 +79,11 @@ public:
     /// Its file too; what cannot be part of a file's name becomes "_".
     void renameTake(int take, const QString& name);
 
+    /// To the session in another folder, with all that belongs to the take; a job, then for a move a step
+    /// that can be undone. Where the name is taken, both takes are kept.
+    enum class Transfer { kMove, kCopy };
+    void transferTake(int take, const QString& folder, Transfer how);
+
     // Not undone: files come, nothing goes.
     void importTakes(const QStringList& paths);  ///< a job
     /// Finishes a take whose recording broke off; a job.
@@ -88,9 +97,11 @@ public:
     std::shared_ptr<void> keepInPlace(const QString& take_path);
 
 signals:
-    void takeTrashed(const QString& name);  ///< by the operator, who can take it back
-    void opened();                          ///< or closed
-    void changed();                         ///< anything of the session
+    // By the operator, who can take it back:
+    void takeTrashed(const QString& name);
+    void takeMoved(const QString& outcome);  ///< says to where, as a sentence without its stop
+    void opened();                           ///< or closed
+    void changed();                          ///< anything of the session
     void currentTakeChanged(int index);
     void takeAdded(const QString& name);  ///< imported
     void failed(const QString& message);
@@ -117,6 +128,7 @@ private:
     void noteChange();
     void followCurrentTake();
     void tell(const QString& what_failed, const Error& error);
+    QString pushMove(const TakeTransfer& transfer);
     Status mayMove(const std::string& take) const;
     Status moveTake(Session& session, const std::string& from, const std::string& to);
 

@@ -148,6 +148,10 @@ void TakeList::showMenu(const QModelIndex& index, const QPoint& global) {
     });
     menu.addAction(tr("Show in folder"), this, [this, row] { showInFolder(row); });
     menu.addSeparator();
+    menu.addAction(tr("Move to session…"), this,
+                   [this, row] { emit transferWanted(row, SessionModel::Transfer::kMove); });
+    menu.addAction(tr("Copy to session…"), this,
+                   [this, row] { emit transferWanted(row, SessionModel::Transfer::kCopy); });
     QAction* trash =
         menu.addAction(tr("Move to trash"), this, [this, row] { review_.shared().session().trashTake(row); });
     trash->setShortcut(QKeySequence::Delete);

@@ -23,6 +23,7 @@ public:
 
 signals:
     void notesWanted();  ///< of the chosen take, which is open
+    void transferWanted(int take, noctule::ui::SessionModel::Transfer how);
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;

@@ -10,6 +10,7 @@
 #include "ui/views/record/record_run.h"
 #include "ui/views/record/shot_list.h"
 #include "ui/views/scaled_layout.h"
+#include "ui/views/session/session_commands.h"
 #include "ui/views/take_list.h"
 #include "ui/widgets/divider.h"
 #include "ui/widgets/scroll_area.h"
@@ -87,6 +88,9 @@ RecordSidebar::RecordSidebar(Studio& studio, RecordRun& run, QWidget* parent)
     connect(takes_, &QListView::activated, this, [this] {
         if (studio_.take().isOpen())
             studio_.goTo(Step::kReview);
+    });
+    connect(takes_, &TakeList::transferWanted, this, [this](int take, SessionModel::Transfer how) {
+        SessionCommands::askForTransfer(window(), studio_, take, how);
     });
     connect(&run, &RecordRun::changed, this, &RecordSidebar::refresh);
     refresh();

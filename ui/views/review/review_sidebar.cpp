@@ -14,6 +14,7 @@
 #include "ui/views/review/reference_panel.h"
 #include "ui/views/review/run_list.h"
 #include "ui/views/scaled_layout.h"
+#include "ui/views/session/session_commands.h"
 #include "ui/views/show_folder.h"
 #include "ui/views/take_list.h"
 #include "ui/widgets/button.h"
@@ -50,6 +51,9 @@ ReviewSidebar::ReviewSidebar(Studio& studio, FullReport& report, QWidget* parent
     of_take_ = makeTakeParts(report);
     column->addWidget(new ScrollArea(of_take_), 1);
     connect(takes_, &TakeList::notesWanted, notes_, &NotesPanel::edit);
+    connect(takes_, &TakeList::transferWanted, this, [this](int take, SessionModel::Transfer how) {
+        SessionCommands::askForTransfer(window(), studio_, take, how);
+    });
     connect(&studio.take(), &TakeDocument::opened, this, &ReviewSidebar::refresh);
     connect(&studio.take(), &TakeDocument::processingChanged, this, &ReviewSidebar::refresh);
     refresh();

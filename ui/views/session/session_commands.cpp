@@ -8,6 +8,7 @@
 #include "core/session/session.h"
 #include "ui/models/shared_context.h"
 #include "ui/views/session/new_session_dialog.h"
+#include "ui/views/session/transfer_dialog.h"
 
 namespace noctule::ui {
 namespace {
@@ -17,6 +18,15 @@ QString lastFolder(SharedContext& shared, const char* key) {
 }
 
 }  // namespace
+
+void SessionCommands::askForTransfer(QWidget* parent, SharedContext& shared, int take,
+                                     SessionModel::Transfer how) {
+    SessionModel& session = shared.session();
+    const std::string name = session.session().takes[static_cast<size_t>(take)].name;
+    TransferDialog dialog(shared, QString::fromStdString(name), how, parent);
+    if (dialog.exec() == QDialog::Accepted && session.isOpen())
+        session.transferTake(session.session().findTake(name), dialog.folder(), how);
+}
 
 bool SessionCommands::isSession(const QString& folder) {
     return QFileInfo(QDir(folder).filePath("session.json")).isFile();

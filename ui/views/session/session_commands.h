@@ -6,6 +6,8 @@
 #include <QCoreApplication>
 #include <QStringList>
 
+#include "ui/models/session_model.h"
+
 class QWidget;
 
 namespace noctule::ui {
@@ -26,6 +28,9 @@ public:
     static void askForImport(QWidget* parent, SharedContext& shared);
     /// A new session first when none is open.
     static void import(QWidget* parent, SharedContext& shared, const QStringList& paths);
+
+    /// Asks for the session that a take goes to.
+    static void askForTransfer(QWidget* parent, SharedContext& shared, int take, SessionModel::Transfer how);
 
     /// Whether a session lies in the folder.
     static bool isSession(const QString& folder);

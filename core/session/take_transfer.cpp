@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/take_transfer.h"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+
+#include "core/recording/recover_take.h"
+#include "core/recording/take.h"
+#include "core/recording/take_copy.h"
+#include "core/session/take_folder.h"
+
+namespace noctule {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Of the folder, or of the one that it will be made in.
+std::optional<dev_t> fileSystemOf(const fs::path& folder) {
+    struct stat found {};
+    return stat(folder.c_str(), &found) == 0 ? std::optional(found.st_dev) : std::nullopt;
+}
+
+Status listThere(const TakeTransfer& transfer) {
+    auto there = readSession(transfer.to);
+    if (!there)
+        return there.error();
+    std::erase_if(there->takes, [&](const SessionTake& take) { return take.name == transfer.take.name; });
+    there->takes.push_back(transfer.take);
+    if (transfer.performer && !there->findPerformer(transfer.performer->name))
+        there->performers.push_back(*transfer.performer);
+    return saveSession(*there);
+}
+
+/// With the performer who came with it, unless that one does something there by now.
+Status unlistThere(const TakeTransfer& transfer) {
+    auto there = readSession(transfer.to);
+    if (!there)
+        return there.error();
+    std::erase_if(there->takes, [&](const SessionTake& take) { return take.name == transfer.take.name; });
+    if (transfer.performer && there->current_performer != transfer.performer->name &&
+        std::ranges::none_of(there->takes, [&](const SessionTake& take) {
+            return take.performer == transfer.performer->name;
+        }))
+        std::erase_if(there->performers,
+                      [&](const Performer& one) { return one.name == transfer.performer->name; });
+    return saveSession(*there);
+}
+
+/// Where moveToTrash() puts it.
+fs::path trashedThere(const TakeTransfer& transfer) {
+    return transfer.to / "trash" / fs::path(transfer.take.file).filename();
+}
+
+}  // namespace
+
+Result<TakeTransfer> arrangeTransfer(const Session& from, const std::string& name, const fs::path& to) {
+    const int index = from.findTake(name);
+    if (index < 0)
+        return Error{ErrorKind::kUsage, name + ": is not a take of this session", "Choose another one"};
+    std::error_code ignored;
+    if (fs::equivalent(from.folder, to, ignored))
+        return Error{ErrorKind::kUsage, name + ": is in this session already", "Choose another session"};
+    auto there = readSession(to);
+    if (!there)
+        return there.error();
+    TakeTransfer transfer;
+    transfer.to = to;
+    transfer.to_name = there->name;
+    transfer.original = from.takes[static_cast<size_t>(index)];
+    const fs::path file = from.pathOf(transfer.original);
+    if (!isThere(file))
+        return Error{ErrorKind::kUnusable, transfer.original.file + ": is not there any more", "Put it back"};
+    if (transfer.original.state == TakeState::kRecording)
+        return Error{ErrorKind::kUnusable, name + ": the recording was not finished", "Recover it first"};
+    if (isBeingWritten(file.string()))
+        return beingRecorded(file.string());
+    transfer.take = transfer.original;
+    transfer.take.name = isNameFree(*there, name) ? name : nextTakeName(*there, name);
+    transfer.take.file = "takes/" + transfer.take.name + kTakeExtension;
+    const Performer* performer = from.findPerformer(transfer.take.performer);
+    if (performer && !there->findPerformer(performer->name))
+        transfer.performer = *performer;
+    return transfer;
+}
+
+bool canBeRenamed(const Session& from, const TakeTransfer& transfer) {
+    const auto here = fileSystemOf(from.takesFolder()), there = fileSystemOf(transfer.to / "takes");
+    return here && here == there;
+}
+
+Status copyThere(const Session& from, TakeTransfer& transfer, const JobContext& job) {
+    auto copy = TakeCopy::make(from.pathOf(transfer.original).string(), transfer.path().string(), job);
+    if (!copy)
+        return copy.error();
+    if (Status folded = copy->foldLog(); !folded)
+        return folded;
+    if (const auto opened = Take::open(copy->path()); !opened)
+        return copy->named(opened.error());
+    if (Status published = copy->publish(false); !published)
+        return published;
+    transfer.is_copied = true;
+    Status listed = listThere(transfer);
+    std::error_code ignored;
+    if (!listed)
+        fs::remove(transfer.path(), ignored);
+    return listed;
+}
+
+Status moveThere(Session& from, const TakeTransfer& transfer) {
+    const fs::path here = from.pathOf(transfer.original), there = transfer.path();
+    const fs::path source = transfer.is_copied ? trashedThere(transfer) : here;
+    const bool is_moved = !transfer.is_copied || !isThere(there);  // else it was copied just before
+    if (is_moved) {
+        if (Status moved = moveTakeFiles(source, there); !moved)
+            return moved;
+        if (Status listed = listThere(transfer); !listed) {
+            (void)moveTakeFiles(there, source);
+            return listed;
+        }
+    }
+    if (transfer.is_copied)
+        return trashTake(from, transfer.original.name);
+    std::erase_if(from.takes, [&](const SessionTake& take) { return take.name == transfer.original.name; });
+    return Done{};
+}
+
+Status moveBack(Session& from, const TakeTransfer& transfer) {
+    if (from.findTake(transfer.original.name) >= 0)
+        return Error{ErrorKind::kUsage, transfer.original.name + " is in the list already",
+                     "Rename or remove the one that is there first"};
+    if (transfer.is_copied) {
+        Session there;
+        there.folder = transfer.to;
+        if (isThere(transfer.path()))
+            if (Status trashed = moveToTrash(there, transfer.take.file); !trashed)
+                return trashed;
+        if (Status restored = restoreTake(from, transfer.original); !restored) {
+            (void)moveTakeFiles(trashedThere(transfer), transfer.path());
+            return restored;
+        }
+        (void)unlistThere(transfer);  // a line too many does no harm, the take is back
+        return Done{};
+    }
+    if (Status moved = moveTakeFiles(transfer.path(), from.pathOf(transfer.original)); !moved)
+        return moved;
+    (void)unlistThere(transfer);
+    from.takes.push_back(transfer.original);
+    refreshTake(from, from.takes.back());
+    sortTakes(from);
+    return Done{};
+}
+
+}  // namespace noctule
