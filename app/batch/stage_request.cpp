@@ -23,6 +23,14 @@ Status checkSuit(const StageRequest& request, const std::string& path) {
     return checkSegments(request.suit, segments, path);
 }
 
+/// The one that Noctule comes with. What a bag is for, its boards can read.
+Suit usualSuit(const std::optional<RigKind>& rig) {
+    Suit suit = defaultSuit();
+    for (Board& board : suit.boards)
+        board.has_magnetometer = rig == RigKind::kBag;
+    return suit;
+}
+
 std::optional<RigKind> rigNamed(const std::string& name) {
     for (const RigKind kind : {RigKind::kJig, RigKind::kLevelPlate, RigKind::kTurntable, RigKind::kBag})
         if (name == nameOf(kind))
@@ -39,7 +47,8 @@ std::vector<Option> stageOptions() {
                "no motion: the performer stands in the rest pose, or nobody wears the suit, it is on a "
                "rig of calibration"),
         choice("scenario", {"ideal", "nominal", "realistic"}, "how good the world is").orElse("nominal"),
-        text("suit", "S.json", "the suit; the one of 18 boards and 8 sources when not given"),
+        text("suit", "S.json",
+             "the suit; the one of 18 boards and 8 sources when not given, in a bag with magnetometers"),
         text("actor", "A.json", "the performer; one with the motion's measures when not given"),
         number("rest-seconds", "S", 0, 3600, "rest pose before the motion").orElse("3")};
     for (Option& option : motionOptions("motion"))
@@ -49,8 +58,8 @@ std::vector<Option> stageOptions() {
 
 Result<StageRequest> stageRequest(const Arguments& arguments, Console& console, nlohmann::json* understood) {
     StageRequest request;
-    request.suit = defaultSuit();
     request.rig = rigNamed(arguments.text("rig"));
+    request.suit = usualSuit(request.rig);
     if (request.rig)
         for (const char* name : {"actor", "rest-seconds"})
             if (arguments.given(name))

@@ -309,6 +309,20 @@ TEST(VirtualSuit, ASimulatedBoardSlips) {
     EXPECT_EQ(studio.conversation.statistics().frames.losses(), 0);
 }
 
+/// As the guide has it, without a suit's file.
+TEST(VirtualSuit, WhatIsInABagHasMagnetometers) {
+    for (const char* rig : {"bag", "level"}) {
+        RunningSuit suit({"--rig", rig, "--scenario", "ideal"});
+        TestStudio studio(tcp(suit));
+        ASSERT_TRUE(studio.greet());
+        for (const Board& board : studio.all<link::Greeted>()[0].hello.suit.boards)
+            EXPECT_EQ(board.has_magnetometer, rig == std::string("bag")) << board.id;
+        if (rig == std::string("bag"))
+            for (const char* command : {"height 1.5", "height 0.15", "roll 240"})
+                EXPECT_EQ(suit.tell(command), "ok") << command;
+    }
+}
+
 TEST(VirtualSuit, RigsObeyTheirCommandsAndNoOthers) {
     const struct {
         const char* rig;
