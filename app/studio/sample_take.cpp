@@ -6,6 +6,7 @@
 
 #include "app/batch/files.h"
 #include "core/formats/bvh.h"
+#include "core/recording/take_edit.h"
 #include "core/simulation/cast.h"
 #include "core/simulation/simulate.h"
 #include "core/suit/default_suit.h"
@@ -25,6 +26,23 @@ Result<MotionClip> sampleMotion() {
 }
 
 constexpr double kPairApart_m = 2;
+
+// The virtual suit plays its take again and again. From its second second on it lasts three periods of the
+// boards' streams (6 s), and is at its end as it is then: in the rest pose. The first second is left out of
+// each further round, because streams that begin there cannot be read from others.
+constexpr double kRest_s = 5.2, kTake_s = 19, kLoopsFrom_s = 1;
+
+Status noteLoop(const std::string& path) {
+    auto take = Take::open(path, Access::kReadWrite);
+    if (!take)
+        return take.error();
+    auto edit = TakeEdit::begin(*take);
+    if (!edit)
+        return edit.error();
+    if (Status noted = edit->setMeta(kLoopsFromKey, std::to_string(kLoopsFrom_s)); !noted)
+        return noted;
+    return edit->commit();
+}
 
 struct Header {
     std::string path, created_utc, software;
@@ -60,7 +78,11 @@ Status makeSampleTake(const std::string& path, const std::string& created_utc, c
     request.suit = defaultSuit();
     request.clip = std::move(*clip);
     request.scenario = simulation::Scenario::nominal();
-    return writeStaged(request, simulation::Level::kSignal, {path, created_utc, software}, job);
+    request.rest_seconds = kRest_s;
+    request.duration_s = kTake_s;
+    const Status written =
+        writeStaged(request, simulation::Level::kSignal, {path, created_utc, software}, job);
+    return written ? noteLoop(path) : written;
 }
 
 Status makePairTake(const std::string& path, const std::string& created_utc, const std::string& software,
@@ -81,6 +103,8 @@ Status makePairTake(const std::string& path, const std::string& created_utc, con
     }
     request.shared_clock = true;
     request.scenario = simulation::Scenario::nominal();
+    request.rest_seconds = kRest_s;
+    request.duration_s = kTake_s;
     const auto cast = simulation::prepareCast(request);
     if (!cast)
         return cast.error();
@@ -90,7 +114,7 @@ Status makePairTake(const std::string& path, const std::string& created_utc, con
     take.created_utc = created_utc;
     take.software = software;
     const auto written = simulation::writeTake(*cast, take, job);
-    return written ? Status(Done{}) : Status(written.error());
+    return written ? noteLoop(path) : Status(written.error());
 }
 
 Status makeMotionTake(const MotionTake& wanted, const JobContext& job) {

@@ -42,10 +42,11 @@ Result<SoundOfSuit> openCastBox(const Options& options) {
     if (!start_ms)
         return start_ms.error();
     batch::Console console(false, false);
-    auto request = batch::castRequest(options.arguments.text("cast"), options.arguments, console,
-                                      options.loop() ? kLongestCast_s : 0);
+    auto request = batch::castRequest(options.arguments.text("cast"), options.arguments, console, 0);
     if (!request)
         return request.error();
+    if (options.loop())
+        request->comes_back_s = kLongestCast_s;
     auto cast = prepareCast(*request);
     if (!cast)
         return cast.error();

@@ -23,7 +23,9 @@ const std::vector<batch::Option>& table() {
                       "whose box of the cast, or of a take of several; room: the one of its anchors"),
                  text("start-at", "UTC",
                       "when the cast begins, as 2026-05-01T10:00:00Z, the same for all of its boxes; or now"),
-                 flag("loop", "after the end begin again; else silence follows"),
+                 flag("loop",
+                      "after the end go on: back through the motion and forth again, or the take "
+                      "from its beginning; else silence follows"),
                  text("tcp", "HOST:PORT",
                       "listen there, port 0 for any free one (127.0.0.1:41941 when there is no --pty)"),
                  flag("pty", "offer a serial line too: a pseudo-terminal, whose path is printed"),

@@ -53,8 +53,10 @@ Result<SoundOfSuit> openSound(const Options& options) {
     if (!request)
         return request.error();
     request->rig_is_operated = true;
-    if (options.loop() || !request->clip)
+    if (!request->clip)
         request->duration_s = kDay_s;
+    else if (options.loop())
+        request->comes_back_s = kDay_s;
     auto stage = simulation::prepareStage(*request);
     if (!stage)
         return stage.error();

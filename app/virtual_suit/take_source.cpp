@@ -2,9 +2,14 @@
 #include "app/virtual_suit/take_source.h"
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
+#include <numeric>
 
 #include "app/batch/option.h"
+#include "core/formats/number_text.h"
+#include "core/inertial/frame_layout.h"
+#include "core/inertial/reading.h"
 #include "core/recording/take.h"
 #include "devices/device/take_hello.h"
 
@@ -20,6 +25,7 @@ struct TakeContent {
     int suit_id = 1;
     int board_count = 0;
     int64_t sample_count = 0, read_ahead_samples = 0;
+    int64_t loops_from = 0;  ///< where each round but the first begins
     std::vector<link::EmittedPulse> pulses;
 };
 
@@ -29,7 +35,7 @@ public:
 
     Status restart() override {
         lap_start_ = 0;
-        rewind();
+        rewind(0);
         return Done{};
     }
 
@@ -38,8 +44,8 @@ public:
             if (read_to_ >= content_.sample_count) {
                 if (!loop_ || played_in_lap_ == 0)
                     return std::optional<SoundBlock>();
-                lap_start_ += content_.sample_count;
-                rewind();
+                lap_start_ += content_.sample_count - content_.loops_from;
+                rewind(content_.loops_from);
             }
             if (Status read = readAhead(); !read)
                 return read.error();
@@ -63,10 +69,12 @@ public:
     }
 
 private:
-    void rewind() {
+    void rewind(int64_t to) {
         ahead_.clear();
-        read_to_ = played_in_lap_ = 0;
-        next_pulse_ = 0;
+        read_to_ = lap_first_ = to;
+        played_in_lap_ = 0;
+        const auto next = std::ranges::lower_bound(content_.pulses, to, {}, &link::EmittedPulse::sample);
+        next_pulse_ = static_cast<size_t>(next - content_.pulses.begin());
     }
 
     Status readAhead() {
@@ -74,7 +82,8 @@ private:
         read_to_ += content_.read_ahead_samples;
         return content_.take.forEachBlock(content_.suit_id, {first, read_to_ - 1},
                                           [&](const AdcBlock& block) {
-                                              if (block.first_sample >= first)  // else it was read before
+                                              // What began earlier was read before.
+                                              if (block.first_sample >= first || first == lap_first_)
                                                   cut(block);
                                               return true;
                                           });
@@ -85,7 +94,7 @@ private:
         const int64_t end =
             std::min(content_.sample_count,
                      block.first_sample + static_cast<int64_t>(block.values.size()) / content_.board_count);
-        for (int64_t at = block.first_sample; at < end;) {
+        for (int64_t at = std::max(block.first_sample, lap_first_); at < end;) {
             const int64_t until =
                 std::min(end, (at / link::kUsualBlockSamples + 1) * link::kUsualBlockSamples);
             const auto values = block.values.subspan((at - block.first_sample) * content_.board_count,
@@ -98,13 +107,28 @@ private:
     TakeContent content_;
     bool loop_;
     std::deque<SoundBlock> ahead_;  ///< in the take's own time
-    int64_t read_to_ = 0, lap_start_ = 0, played_in_lap_ = 0;
+    int64_t read_to_ = 0, lap_first_ = 0, lap_start_ = 0, played_in_lap_ = 0;
     size_t next_pulse_ = 0;
 };
 
 Error noSound(const std::string& path, const std::string& why) {
     return {ErrorKind::kUnusable, path + ": " + why,
             "Only takes with sound can be played; `noctule --batch simulate --level signal` makes one"};
+}
+
+/// As the take says, where that leaves whole periods of the boards' streams: frames whose samples and
+/// counters come again. Else 0: the streams break at the take's end, and receivers look for them for up to
+/// two seconds.
+int64_t loopsFrom(const Take& take, int64_t sample_count, int64_t rate_hz) {
+    const auto said = take.meta().find(kLoopsFromKey);
+    double from_s = 0;
+    if (said == take.meta().end() || !parseFiniteNumber(said->second, from_s))
+        return 0;
+    constexpr int64_t kPeriod_s =
+        std::lcm(kCounterPeriod, kInertialFramesPerSecond) / kInertialFramesPerSecond;
+    const auto from = static_cast<int64_t>(std::llround(from_s * static_cast<double>(rate_hz)));
+    const bool fits = from > 0 && from < sample_count && (sample_count - from) % (kPeriod_s * rate_hz) == 0;
+    return fits ? from : 0;
 }
 
 /// `source_count`: pulses of any other source are not of this suit.
@@ -124,7 +148,8 @@ Result<TakeContent> contentOf(Take take, int suit_id, size_t source_count) {
             return *error;
     if (*samples == 0)
         return noSound(path, "holds no sound");
-    TakeContent content{std::move(take), suit_id, *boards, *samples, 0, {}};
+    const int64_t loops_from = loopsFrom(take, *samples, *rate_hz);
+    TakeContent content{std::move(take), suit_id, *boards, *samples, 0, loops_from, {}};
     content.read_ahead_samples = static_cast<int64_t>(kReadAhead_s * static_cast<double>(*rate_hz));
     for (const Pulse& pulse : *pulses)
         if (pulse.source < static_cast<int>(source_count))
@@ -187,9 +212,12 @@ Result<SoundOfSuit> openTakeSource(const std::string& path, const std::string& s
     if (content->board_count != hello.boardCount())
         return noSound(path, "its sound is of " + std::to_string(content->board_count) +
                                  " boards, its suit has " + std::to_string(hello.boardCount()));
-    const int64_t lap = content->sample_count;
+    const int64_t count = content->sample_count, from = content->loops_from;
     return SoundOfSuit{std::make_unique<TakeSource>(std::move(*content), loop), std::move(hello),
-                       [rows = *rows, lap](int64_t sample) { return measured(rows, sample % lap); }};
+                       [rows = *rows, count, from](int64_t sample) {
+                           const bool again = sample >= count;
+                           return measured(rows, again ? from + (sample - from) % (count - from) : sample);
+                       }};
 }
 
 }  // namespace noctule::virtual_suit

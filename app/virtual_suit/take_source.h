@@ -10,8 +10,8 @@
 namespace noctule::virtual_suit {
 
 /// `subject`: whose box, in a take of several suits (`room`: that of its anchors); empty: the first. `loop`:
-/// after the end it begins again, with the sample clock going on. Fails (kUnusable) when the take holds no
-/// sound.
+/// after the end it begins again, or where the take says (kLoopsFromKey), with the sample clock going on.
+/// Fails (kUnusable) when the take holds no sound.
 Result<SoundOfSuit> openTakeSource(const std::string& path, const std::string& subject, bool loop);
 
 }  // namespace noctule::virtual_suit

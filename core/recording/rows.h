@@ -157,6 +157,10 @@ inline std::string contactsKey(int suit) {
 inline constexpr const char* kContactsEdited = "edited";
 inline constexpr const char* kContactsDetected = "detected";
 
+/// Meta of a take that is made to be played again and again: from where on its second round begins, in
+/// seconds. The performer is then as at its end, and the boards' streams go on there without a break.
+inline constexpr const char* kLoopsFromKey = "x_loops_from_s";
+
 /// Run number of primary inertial and range rows and of contacts that an operator has set; has no row in
 /// `derived`.
 inline constexpr int64_t kPrimaryRun = 0;

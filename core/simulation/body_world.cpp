@@ -119,6 +119,11 @@ void BodyWorld::lastFor(double duration_s) {
     forgetRowsAfter(-1);
 }
 
+void BodyWorld::comeBack(double duration_s) {
+    performance_.comeBack(duration_s);
+    forgetRowsAfter(-1);
+}
+
 void BodyWorld::forgetRowsAfter(double t_s) {
     for (Row& row : window_)
         if (static_cast<double>(row.index) * kRowStep_s > t_s)

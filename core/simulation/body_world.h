@@ -43,6 +43,7 @@ public:
     /// Before anything is asked: see Performance.
     void standAt(const StandingPlace& place);
     void lastFor(double duration_s);
+    void comeBack(double duration_s);
     const Performance& performance() const { return performance_; }
     const WornSuit& worn() const { return worn_; }
 

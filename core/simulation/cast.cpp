@@ -345,6 +345,11 @@ Result<Cast> prepareCast(const CastRequest& request) {
         suit.stage.body->lastFor(duration_s);
     Placer(request, cast).place();
     noteWhoLeaves(ChamberScenario{}, duration_s, cast);
+    if (request.comes_back_s > 0) {
+        duration_s = request.comes_back_s;
+        for (CastSuit& suit : cast.suits)
+            suit.stage.body->comeBack(duration_s);
+    }
     if (const size_t i = cast.suits.size(); request.room) {
         const Scenario heard = scenario(i, *request.room);
         if (Status fit = checkPulses(voices[i], heard); !fit)

@@ -26,6 +26,7 @@ struct CastRequest {
     Scenario scenario;
     std::optional<double> rest_seconds;  ///< none: the scenario's
     double duration_s = 0;               ///< of the whole take; 0: the longest motion once
+    double comes_back_s = 0;             ///< > 0: all go through it to and fro together for so long
     uint64_t seed = 1;
 };
 

@@ -7,6 +7,7 @@
 #include "core/job/contract.h"
 #include "core/math/rotation.h"
 #include "core/simulation/fade.h"
+#include "core/simulation/to_and_fro.h"
 
 namespace noctule::simulation {
 namespace {
@@ -23,6 +24,12 @@ Spline splineOf(const FittedMotion& motion) {
 double headingOf(const Quaterniond& q) {
     const Vector3d forward = q * Vector3d::UnitZ();
     return std::atan2(forward.x(), forward.z());
+}
+
+/// By the chain rule.
+Jet inTimeOf(const PlayedTime& played, const Jet& x) {
+    return {x.value, x.rate * played.rate,
+            x.acceleration * played.rate * played.rate + x.rate * played.acceleration_per_s};
 }
 
 }  // namespace
@@ -135,9 +142,18 @@ void Performance::lastFor(double duration_s) {
         rest_seconds_ = duration_s;
 }
 
+void Performance::comeBack(double duration_s) {
+    once_s_ = duration_s_;
+    duration_s_ = duration_s;
+}
+
 template <class T>
 void Performance::at(double t_s, std::vector<T>& row) const {
-    performedAt(t_s, row);
+    const PlayedTime played = once_s_ > 0 ? toAndFro(t_s, once_s_) : PlayedTime{t_s};
+    performedAt(played.t_s, row);
+    if constexpr (std::is_same_v<T, Jet>)
+        for (Jet& coordinate : row)
+            coordinate = inTimeOf(played, coordinate);
     if (place_)
         placeRoot(*place_, row);
 }

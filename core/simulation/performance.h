@@ -47,6 +47,8 @@ public:
     void standAt(const StandingPlace& place);
     /// Of the whole take, instead of what the timing says.
     void lastFor(double duration_s);
+    /// Lasts so long: all that it is now, rest pose and motion, is gone through to and fro.
+    void comeBack(double duration_s);
 
     /// Without a motion: from the pose of the moment into another one within kPosing_s, standing where the
     /// performer stands, lowest point on the floor.
@@ -89,6 +91,7 @@ private:
     double rest_seconds_ = 0, duration_s_ = 0;
     double transition_s_ = 1;  ///< from the rest pose into the motion
     double seam_s_ = 0;        ///< cross-fade between repetitions
+    double once_s_ = 0;        ///< from its beginning to where it turns back; 0: never
 };
 
 }  // namespace noctule::simulation

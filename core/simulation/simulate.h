@@ -21,6 +21,7 @@ struct StageRequest {
     Scenario scenario;
     std::optional<double> rest_seconds;  ///< none: the scenario's
     double duration_s = 0;               ///< of the whole take; 0: the motion once; a longer one repeats it
+    double comes_back_s = 0;             ///< > 0: all of it is gone through to and fro for so long
     uint64_t seed = 1;
     std::optional<RigKind> rig{};  ///< the suit is not worn, it is on a rig: without clip and actor
     bool rig_is_operated = false;  ///< by hand while time goes on; else it runs through a whole calibration

@@ -113,6 +113,8 @@ Result<Stage> prepareStage(const StageRequest& request) {
         Performance(coordinates, heldRestRow(coordinates, stage.mover, scenario, request.seed),
                     request.clip ? &stage.motion : nullptr, timing),
         std::move(*worn), stage.mover.capsules, scenario.soft_tissue);
+    if (request.comes_back_s > 0)
+        body->comeBack(request.comes_back_s);
     stage.body = body.get();
     stage.world = std::move(body);
     drawTruth(stage, request);

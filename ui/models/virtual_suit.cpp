@@ -73,12 +73,14 @@ Result<SampleOfSuit> sampleAt(const std::filesystem::path& path, const VirtualSu
     return readSample(path.string(), role);
 }
 
+/// Other names than before takes were made to be played again and again.
 QString fileName(const std::string& software, VirtualSuit::Role role) {
     QString name = QString::fromStdString(software);
     for (QChar& letter : name)
         if (!letter.isLetterOrNumber() && letter != '.')
             letter = '-';
-    return QStringLiteral("%1-%2.noctule").arg(role == VirtualSuit::Role::kAlone ? "sample" : "pair", name);
+    return QStringLiteral("%1-%2.noctule")
+        .arg(role == VirtualSuit::Role::kAlone ? "round" : "round-pair", name);
 }
 
 }  // namespace

@@ -315,7 +315,8 @@ TEST(VirtualSuit, WhatIsInABagHasMagnetometers) {
         RunningSuit suit({"--rig", rig, "--scenario", "ideal"});
         TestStudio studio(tcp(suit));
         ASSERT_TRUE(studio.greet());
-        for (const Board& board : studio.all<link::Greeted>()[0].hello.suit.boards)
+        const link::Hello hello = studio.all<link::Greeted>().at(0).hello;
+        for (const Board& board : hello.suit.boards)
             EXPECT_EQ(board.has_magnetometer, rig == std::string("bag")) << board.id;
         if (rig == std::string("bag"))
             for (const char* command : {"height 1.5", "height 0.15", "roll 240"})
