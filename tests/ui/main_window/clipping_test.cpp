@@ -27,6 +27,7 @@
 #include "ui/views/session/motion_dialog.h"
 #include "ui/views/session/new_session_dialog.h"
 #include "ui/views/session/recording_dialog.h"
+#include "ui/views/session/transfer_dialog.h"
 
 namespace noctule::ui {
 namespace {
@@ -161,6 +162,7 @@ TEST_P(ClippingTest, DialogsAboutTakes) {
     dialogIsWhole<AttachDialog>("attach", *studio_->take().overview(), "optical/walk_001.bvh");
     dialogIsWhole<ProcessTakesDialog>("process takes", *studio_, std::nullopt);
     dialogIsWhole<BodyDialog>("body", *studio_);
+    dialogIsWhole<TransferDialog>("to another session", *studio_, "walk_001", SessionModel::Transfer::kMove);
 }
 
 INSTANTIATE_TEST_SUITE_P(Languages, ClippingTest, testing::Values("en", "de"));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Step Connect: left which devices there are and who wears the suit, in the middle the suit on the body (anchors
-// in their room) as it is now and its pairs, right whether it is ready. Without a suit the drawing shows where boards and sources
-// of the performer's suit sit.
+// Step Connect: left which devices there are and who wears the suit, in the middle the suit on the body as it
+// is now and its pairs, right whether it is ready. Anchors hang in their room instead. Without a suit the
+// drawing shows where boards and sources of the performer's suit sit.
 #pragma once
 
 #include "ui/models/capture_context.h"
