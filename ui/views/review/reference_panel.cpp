@@ -28,7 +28,7 @@ struct Attached {
     AttachedChange change;
 };
 
-std::shared_ptr<const AttachedMotion> shared(Result<AttachedMotion> motion) {
+std::shared_ptr<const AttachedMotion> held(Result<AttachedMotion> motion) {
     return motion ? std::make_shared<const AttachedMotion>(std::move(*motion)) : nullptr;
 }
 
@@ -43,11 +43,11 @@ Result<Attached> attachTo(const std::string& take_path, const AttachChoice& choi
     request->as = choice.as;
     request->shift_s = choice.shift_s;
     request->overwrite = choice.overwrite;
-    attached.change.before = shared(attachedMotion(take_path, choice.as, context));
+    attached.change.before = held(attachedMotion(take_path, choice.as, context));
     auto summary = attachReference(*request, context);
     if (!summary)
         return summary.error();
-    attached.change.after = shared(attachedMotion(take_path, choice.as, {}));
+    attached.change.after = held(attachedMotion(take_path, choice.as, {}));
     attached.summary = std::move(*summary);
     attached.warnings.insert(attached.warnings.end(), attached.summary.warnings.begin(),
                              attached.summary.warnings.end());
