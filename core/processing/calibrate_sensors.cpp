@@ -234,11 +234,15 @@ std::vector<double> offInEveryDirection(const std::vector<Vector3d>& counts, con
     return means;
 }
 
-double rootMeanSquare(const std::vector<double>& values) {
-    double squares = 0;
-    for (const double value : values)
-        squares += value * value;
-    return values.empty() ? 0 : std::sqrt(squares / double(values.size()));
+/// With the calibration before, by the measure of the new one. `readings`: counts as `scale` has them.
+double spreadBefore_percent(const std::vector<Vector3d>& readings, const AxisCalibration& scale,
+                            const AxisCalibration& before) {
+    return fieldSpread_percent(readings, scale.apply(before.zero_counts),
+                               before.matrix * scale.matrix.inverse());
+}
+
+bool isOfTheEarth(double strength_ut) {
+    return strength_ut >= FieldTurnLimits::kLeastEarth_ut && strength_ut <= FieldTurnLimits::kMostEarth_ut;
 }
 
 TurnedBoard turnedBoard(const BoardCounts& board, const BoardCalibration& before,
@@ -249,11 +253,13 @@ TurnedBoard turnedBoard(const BoardCounts& board, const BoardCalibration& before
     if (board.is_nominal)
         turned.scale = AxisCalibration::nominal(FieldTurnLimits::kFullScale_ut);
     MagnetometerFit& fit = turned.found.fit;
+    std::vector<Vector3d> readings = board.samples.mag;
     if (board.is_nominal) {
         FieldTurn turn;
         for (const Vector3d& counts : board.samples.mag)
             turn.add(turned.scale.apply(counts));
         turn.judge(strength_ut);
+        readings = turn.readings();
         fit = turn.fit();
         turned.found.seen = turn.sphere();
         turned.state = turn.state();
@@ -265,7 +271,9 @@ TurnedBoard turnedBoard(const BoardCounts& board, const BoardCalibration& before
                     turned.found.seen.add(fit.ellipsoid.matrix * (reading - fit.ellipsoid.zero));
         turned.state = fit.problem.empty() ? FieldTurnState::kDone : FieldTurnState::kGoing;
     }
-    turned.found.spread_before_percent = fit.before_percent;
+    turned.found.in_microtesla = board.is_nominal || strength_ut.has_value() || isOfTheEarth(fit.strength_ut);
+    turned.found.spread_before_percent =
+        spreadBefore_percent(readings, turned.scale, before.mag.value_or(turned.scale));
     turned.found.sigma_zero_ut = (fit.ellipsoid.matrix * fit.ellipsoid.sigma_zero).norm();
     if (!fit.problem.empty())
         return turned;
@@ -273,7 +281,6 @@ TurnedBoard turnedBoard(const BoardCounts& board, const BoardCalibration& before
     turned.found.after_percent = offInEveryDirection(board.samples.mag, turned.axes, turned.axes);
     turned.found.before_percent =
         offInEveryDirection(board.samples.mag, before.mag.value_or(turned.scale), turned.axes);
-    turned.found.spread_before_percent = rootMeanSquare(turned.found.before_percent);
     return turned;
 }
 
@@ -288,18 +295,31 @@ std::pair<std::string, std::string> whyNotUsed(const TurnedBoard& turned) {
     return {fit.problem, fit.remedy};
 }
 
-void addDoubts(CalibrationResult& result, const BoardCounts& board, const TurnedBoard& turned) {
-    const TurnedMagnetometer& found = turned.found;
-    if (turned.state == FieldTurnState::kUneven)
-        result.document.findings.push_back({Grade::kUsable, found.board,
-                                            board.words + ": the field's strength differs by " +
-                                                formatted("%.1f %%", found.fit.after_percent),
-                                            "Turn it again through all directions, away from iron"});
-    else if (turned.state == FieldTurnState::kGoing)
-        result.document.findings.push_back(
-            {Grade::kUsable, found.board,
-             board.words + ": " + std::to_string(found.seen.seen()) + " of 100 directions were seen",
-             "Turn it again until 90 were seen"});
+/// By the same numbers and bounds as the document shows. Returns what they make of the board.
+Grade addDoubts(CalibrationResult& result, const BoardCounts& board, const TurnedMagnetometer& found) {
+    using Limits = FieldTurnLimits;
+    Grade grade = Grade::kGood;
+    const auto doubt = [&](bool doubted, const std::string& what, const std::string& remedy) {
+        if (!doubted)
+            return;
+        grade = Grade::kUsable;
+        result.document.findings.push_back({Grade::kUsable, found.board, board.words + ": " + what, remedy});
+    };
+    doubt(found.fit.after_percent > Limits::kMostUneven_percent,
+          "the field's strength differs by " + formatted("%.2f %%", found.fit.after_percent) +
+              " between directions",
+          "Turn it again through all directions, away from iron");
+    doubt(found.seen.share() < Limits::kEnoughShare,
+          std::to_string(found.seen.seen()) + " of 100 directions were seen",
+          "Turn it again until 90 were seen");
+    doubt(found.in_microtesla && found.sigma_zero_ut > Limits::kGoodZero_ut,
+          "the standard deviation of its zero is " + formatted("%.2f", found.sigma_zero_ut) + " µT",
+          "Turn it again, slowly and through all directions");
+    doubt(found.in_microtesla && !isOfTheEarth(found.fit.strength_ut),
+          "the field has " + formatted("%.1f", found.fit.strength_ut) +
+              " µT there, which the Earth's has nowhere",
+          "Turn it again away from magnets and steel");
+    return grade;
 }
 
 bool wasTurned(const BoardCounts& board) {
@@ -331,9 +351,7 @@ Result<CalibrationResult> calibrateMagnetometers(const CalibrateRequest& request
             turned.found.used = true;
             values.mag = turned.axes;
             values.serial = board.serial;
-            const bool done = turned.state == FieldTurnState::kDone;
-            markMade(values, "magnetometers", request, done ? Grade::kGood : Grade::kUsable);
-            addDoubts(result, board, turned);
+            markMade(values, "magnetometers", request, addDoubts(result, board, turned.found));
             addField(result, board, turned.axes, values, fields[board.id]);
         }
         report.boards.push_back(std::move(turned.found));

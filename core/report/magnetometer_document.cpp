@@ -10,14 +10,14 @@
 namespace noctule {
 namespace {
 
-constexpr double kGoodZero_ut = 0.5;
-constexpr double kLeastEarth_ut = 22, kMostEarth_ut = 67;
+using Limits = FieldTurnLimits;
 
 /// Of the boards that were used.
 struct WorstOfField {
     double uneven_percent = 0, sigma_ut = 0;
     int seen = FieldSphere::kCells, used = 0;
     double least_ut = std::numeric_limits<double>::infinity(), most_ut = 0, sum_ut = 0;
+    bool in_microtesla = true;
 };
 
 WorstOfField worstOfField(const MagnetometerReport& report) {
@@ -32,6 +32,7 @@ WorstOfField worstOfField(const MagnetometerReport& report) {
         worst.least_ut = std::min(worst.least_ut, board.fit.strength_ut);
         worst.most_ut = std::max(worst.most_ut, board.fit.strength_ut);
         worst.sum_ut += board.fit.strength_ut;
+        worst.in_microtesla = worst.in_microtesla && board.in_microtesla;
     }
     return worst;
 }
@@ -40,19 +41,26 @@ std::vector<CalibrationNumber> numbersOf(const WorstOfField& worst) {
     if (worst.used == 0)
         return {};
     const auto grade = [](bool good) { return good ? Grade::kGood : Grade::kUsable; };
-    constexpr double kMost = FieldTurnLimits::kMostUneven_percent;
+    constexpr double kMost = Limits::kMostUneven_percent;
     static_assert(FieldSphere::kCells == 100, "a cell is one per cent");
-    constexpr int kEnough = static_cast<int>(FieldTurnLimits::kEnoughShare * FieldSphere::kCells);
-    return {{text::number(worst.uneven_percent, 1) + " %",
-             "change of the field's strength with the direction, worst sensor",
-             "under " + text::number(kMost, 0) + " %", grade(worst.uneven_percent <= kMost)},
-            {text::number(worst.sigma_ut, 2) + " µT", "sigma of the worst zero",
-             "under " + text::number(kGoodZero_ut, 1) + " µT", grade(worst.sigma_ut <= kGoodZero_ut)},
-            {std::to_string(worst.seen) + " %", "of all directions, the sensor that has seen least",
-             "at least " + std::to_string(kEnough) + " %", grade(worst.seen >= kEnough)},
-            {text::number(worst.sum_ut / worst.used, 1) + " µT", "strength of the field, mean",
-             "between " + text::number(kLeastEarth_ut, 0) + " and " + text::number(kMostEarth_ut, 0) + " µT",
-             grade(worst.least_ut >= kLeastEarth_ut && worst.most_ut <= kMostEarth_ut)}};
+    constexpr int kEnough = static_cast<int>(Limits::kEnoughShare * FieldSphere::kCells);
+    std::vector<CalibrationNumber> numbers = {
+        {text::number(worst.uneven_percent, 2) + " %",
+         "standard deviation of the field's strength over the directions, worst sensor",
+         "under " + text::number(kMost, 0) + " %", grade(worst.uneven_percent <= kMost)},
+        {std::to_string(worst.seen) + " %", "of all directions, the sensor that has seen least",
+         "at least " + std::to_string(kEnough) + " %", grade(worst.seen >= kEnough)}};
+    if (!worst.in_microtesla)
+        return numbers;
+    numbers.push_back({text::number(worst.sigma_ut, 2) + " µT", "sigma of the worst zero",
+                       "under " + text::number(Limits::kGoodZero_ut, 1) + " µT",
+                       grade(worst.sigma_ut <= Limits::kGoodZero_ut)});
+    numbers.push_back(
+        {text::number(worst.sum_ut / worst.used, 1) + " µT", "strength of the field, mean",
+         "between " + text::number(Limits::kLeastEarth_ut, 0) + " and " +
+             text::number(Limits::kMostEarth_ut, 0) + " µT",
+         grade(worst.least_ut >= Limits::kLeastEarth_ut && worst.most_ut <= Limits::kMostEarth_ut)});
+    return numbers;
 }
 
 }  // namespace
@@ -60,19 +68,22 @@ std::vector<CalibrationNumber> numbersOf(const WorstOfField& worst) {
 CalibrationDocument documentOf(const MagnetometerReport& report) {
     CalibrationTable table{
         "Sensors",
-        "Change: how much the field's strength differs between directions, standard deviation.",
+        "Change: standard deviation of the field's strength over the directions, in percent of its mean.",
         {"board", "field's strength, µT", "change before, %", "change now, %", "zero, sigma, µT",
          "directions of 100"},
         {}};
-    CalibrationErrors errors{
-        "Error of the field's strength in every direction", "%", FieldTurnLimits::kMostUneven_percent, {}};
+    // One direction may be twice as far off as all of them in the mean square.
+    CalibrationErrors errors{"Difference of the field's strength from its mean, a dot per direction",
+                             "%",
+                             2 * Limits::kMostUneven_percent,
+                             {}};
     for (const TurnedMagnetometer& board : report.boards) {
         const bool fitted = board.fit.strength_ut > 0;
         table.rows.push_back({board.board, fitted ? text::number(board.fit.strength_ut, 1) : "–",
-                              fitted ? text::number(board.spread_before_percent, 1) : "–",
+                              fitted ? text::number(board.spread_before_percent, 2) : "–",
                               fitted ? text::number(board.fit.after_percent, 2) : "–",
                               fitted ? text::number(board.sigma_zero_ut, 2) : "–",
-                              std::to_string(board.seen.seen())});
+                              board.seen.seen() > 0 ? std::to_string(board.seen.seen()) : "–"});
         if (board.used)
             errors.rows.push_back({board.board, board.before_percent, board.after_percent});
     }
@@ -80,9 +91,9 @@ CalibrationDocument documentOf(const MagnetometerReport& report) {
     CalibrationDocument found;
     found.procedure = "Magnetometers";
     found.summary = worst.used > 0
-                        ? "The same field in every direction, within " +
-                              text::number(worst.uneven_percent, 1) + " %: " + std::to_string(worst.used) +
-                              " of " + std::to_string(report.boards.size()) + " magnetometers"
+                        ? std::to_string(worst.used) + " of " + std::to_string(report.boards.size()) +
+                              " magnetometers calibrated; the field's strength is even to " +
+                              text::number(worst.uneven_percent, 2) + " %"
                         : "None of the magnetometers could be calibrated";
     found.findings = report.findings;
     found.tables = {std::move(table)};

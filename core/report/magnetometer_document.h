@@ -18,9 +18,10 @@ struct TurnedMagnetometer {
     /// In each direction seen, how far the field's strength is off its mean, in percent: as the board was
     /// calibrated before, and as it is now.
     std::vector<double> before_percent, after_percent;
-    /// Their standard deviation over all readings, with the calibration before.
+    /// The same measure as fit.after_percent, with the calibration before.
     double spread_before_percent = 0;
     bool used = false;
+    bool in_microtesla = true;  ///< else in a unit that nobody has stated
 };
 
 struct MagnetometerReport {

@@ -17,7 +17,9 @@ struct FieldTurnLimits {
     static constexpr double kIronOverOthers = 2.5;    ///< times the median of the other sensors
     static constexpr double kMostClipped = 0.05;      ///< share of the readings
     static constexpr double kFullScale_ut = 100;      ///< of the boards' magnetometers
-    static constexpr double kLeastField_ut = 5;       ///< the Earth's has 22 to 67
+    static constexpr double kLeastField_ut = 5;       ///< less is no field
+    static constexpr double kLeastEarth_ut = 22, kMostEarth_ut = 67;  ///< of the Earth's field
+    static constexpr double kGoodZero_ut = 0.5;                       ///< standard deviation of the zero
 };
 
 /// Of one magnetometer, as it was sent.

@@ -102,7 +102,8 @@ void judge(MagnetometerFit& fit) {
         "Turn the board until its field has pointed along " + wordsOf(fit.coverage.missing, 8);
     if (fit.coverage.covered < kFewestDirections) {
         fit.problem = "the field was seen along " + std::to_string(fit.coverage.covered) + " of " +
-                      std::to_string(DirectionCoverage::kDirections) + " directions";
+                      std::to_string(DirectionCoverage::kDirections) + " main directions, " +
+                      std::to_string(kFewestDirections) + " are needed";
         fit.remedy = turn;
     } else if (!isDetermined(fit)) {
         fit.problem = "the turns do not determine the fit";
@@ -143,6 +144,12 @@ MagnetometerFit fitMagnetometer(const std::vector<Vector3d>& readings, std::opti
     fit.after_percent = spreadPercent(points, fit.ellipsoid.zero, matrix);
     judge(fit);
     return fit;
+}
+
+double fieldSpread_percent(const std::vector<Vector3d>& readings, const Vector3d& zero,
+                           const Matrix3d& matrix) {
+    const std::vector<Vector3d> points = evenPoints(readings);
+    return points.empty() ? 0 : spreadPercent(points, zero, matrix);
 }
 
 namespace {

@@ -15,7 +15,7 @@ namespace noctule {
 struct MagnetometerFit {
     EllipsoidFit ellipsoid;      ///< its matrix gives microtesla
     double strength_ut = 0;      ///< of the field
-    double before_percent = 0;   ///< spread of the strength (standard deviation) as it was read
+    double before_percent = 0;   ///< fieldSpread_percent() as it was read
     double after_percent = 0;    ///< and with the fit
     DirectionCoverage coverage;  ///< of the directions of the calibrated field in the sensor's frame
     /// Why it must not be used, a sentence; empty: usable.
@@ -25,6 +25,11 @@ struct MagnetometerFit {
 /// `strength_ut` none: the mean length of the readings is kept, which is right for readings in microtesla.
 /// Missing readings are left out.
 MagnetometerFit fitMagnetometer(const std::vector<Vector3d>& readings, std::optional<double> strength_ut);
+
+/// Standard deviation of |matrix * (reading - zero)| over the directions that were seen, in percent of its
+/// mean; each direction counts once. 0 with too few readings.
+double fieldSpread_percent(const std::vector<Vector3d>& readings, const Vector3d& zero,
+                           const Matrix3d& matrix);
 
 /// A stretch in which the field is not the usual one of the recording.
 struct BentField {

@@ -4105,6 +4105,10 @@
         <translation>%1 von %2 Zeilen liegen außerhalb der Aufnahme von %3</translation>
     </message>
     <message>
+        <source>%1 of 100 directions were seen</source>
+        <translation>%1 von 100 Richtungen wurden gesehen</translation>
+    </message>
+    <message>
         <source>%1 rows of %2 could not be used, first %3.</source>
         <translation>%1 Zeilen von %2 waren nicht brauchbar, die erste: %3.</translation>
     </message>
@@ -4139,10 +4143,6 @@
     <message>
         <source>%1: %2 and were left out.</source>
         <translation>%1: %2 und wurden ausgelassen.</translation>
-    </message>
-    <message>
-        <source>%1: %2 of 100 directions were seen</source>
-        <translation>%1: %2 von 100 Richtungen wurden gesehen</translation>
     </message>
     <message>
         <source>%1: %2 of the take's %3 moving joints were recognised.</source>
@@ -4267,10 +4267,6 @@
     <message>
         <source>%1: the field is bent for %2 of the time</source>
         <translation>%1: das Magnetfeld ist %2 der Zeit verzerrt</translation>
-    </message>
-    <message>
-        <source>%1: the field's strength differs by %2</source>
-        <translation>%1: Die Stärke des Magnetfelds unterscheidet sich um %2</translation>
     </message>
     <message>
         <source>%1: the recording ends before the rest pose does. There are no poses of it.</source>
@@ -4945,12 +4941,20 @@
         <translation>Punkte werden verfolgt</translation>
     </message>
     <message>
+        <source>Turn it again away from magnets and steel</source>
+        <translation>Drehen Sie sie noch einmal, weit weg von Magneten und Stahl</translation>
+    </message>
+    <message>
         <source>Turn it again through all directions, away from iron</source>
         <translation>Noch einmal in alle Richtungen drehen, fern von Eisen</translation>
     </message>
     <message>
         <source>Turn it again until 90 were seen</source>
         <translation>Noch einmal drehen, bis 90 gesehen wurden</translation>
+    </message>
+    <message>
+        <source>Turn it again, slowly and through all directions</source>
+        <translation>Drehen Sie sie noch einmal, langsam und durch alle Richtungen</translation>
     </message>
     <message>
         <source>Two people near each other</source>
@@ -5225,6 +5229,14 @@
         <translation>der Schätzer verlor seinen Zustand bei %1 s: die Daten widersprechen einander</translation>
     </message>
     <message>
+        <source>the field has %1 µT there, which the Earth's has nowhere</source>
+        <translation>das Feld hat dort %1 µT, die das der Erde nirgends hat</translation>
+    </message>
+    <message>
+        <source>the field's strength differs by %1 between directions</source>
+        <translation>die Feldstärke unterscheidet sich zwischen den Richtungen um %1</translation>
+    </message>
+    <message>
         <source>the hand as it was commanded</source>
         <translation>die Hand, wie sie befohlen wurde</translation>
     </message>
@@ -5243,6 +5255,10 @@
     <message>
         <source>the sound holds %1 boards, the suit describes %2</source>
         <translation>der Schall enthält %1 Platinen, der Anzug beschreibt %2</translation>
+    </message>
+    <message>
+        <source>the standard deviation of its zero is %1 µT</source>
+        <translation>die Standardabweichung ihres Nullpunkts ist %1 µT</translation>
     </message>
     <message>
         <source>the take holds no distances between its suits</source>
@@ -5914,6 +5930,10 @@
         <translation>%1 von %2 Ankern sind eingemessen, der schwächste auf ±%3 mm. %4</translation>
     </message>
     <message>
+        <source>%1 of %2 magnetometers calibrated; the field's strength is even to %3 %</source>
+        <translation>%1 von %2 Magnetometern kalibriert; die Feldstärke ist auf %3 % gleichmäßig</translation>
+    </message>
+    <message>
         <source>%1 of %2 were backed by ranges in at least 90 % of the frames. Less: %3.</source>
         <translation>%1 von %2 wurden in mindestens 90 % der Bilder von Entfernungen gestützt. Weniger: %3.</translation>
     </message>
@@ -6082,8 +6102,8 @@
         <translation>Keine Kontrolle möglich: %1</translation>
     </message>
     <message>
-        <source>Change: how much the field's strength differs between directions, standard deviation.</source>
-        <translation>Änderung: wie sehr sich die Feldstärke zwischen den Richtungen unterscheidet, als Standardabweichung.</translation>
+        <source>Change: standard deviation of the field's strength over the directions, in percent of its mean.</source>
+        <translation>Änderung: Standardabweichung der Feldstärke über die Richtungen, in Prozent ihres Mittels.</translation>
     </message>
     <message>
         <source>Chest</source>
@@ -6112,6 +6132,10 @@
     <message>
         <source>Deviation</source>
         <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>Difference of the field's strength from its mean, a dot per direction</source>
+        <translation>Abweichung der Feldstärke von ihrem Mittel, ein Punkt je Richtung</translation>
     </message>
     <message>
         <source>Difference to the reference over time</source>
@@ -6148,10 +6172,6 @@
     <message>
         <source>Error of gravity in every position</source>
         <translation>Fehler der Schwerkraft in jeder Stellung</translation>
-    </message>
-    <message>
-        <source>Error of the field's strength in every direction</source>
-        <translation>Fehler der Feldstärke in jeder Richtung</translation>
     </message>
     <message>
         <source>Error of the rate in every turn and rest</source>
@@ -6766,10 +6786,6 @@
         <translation>Die Wurzel kam von einem anderen System; dieser Bericht sagt nichts darüber, wie gut der Anzug allein sie kennen würde.</translation>
     </message>
     <message>
-        <source>The same field in every direction, within %1 %: %2 of %3 magnetometers</source>
-        <translation>In jeder Richtung dasselbe Feld, auf %1 % genau: %2 von %3 Magnetometern</translation>
-    </message>
-    <message>
         <source>The shown run used no gyroscopes: rotation between two ranges or readings is a guess of the model.</source>
         <translation>Das gezeigte Ergebnis verwendete keine Gyroskope: die Drehung zwischen zwei Entfernungen oder Messwerten ist eine Vermutung des Modells.</translation>
     </message>
@@ -6932,10 +6948,6 @@
     <message>
         <source>change now, %</source>
         <translation>Änderung jetzt, %</translation>
-    </message>
-    <message>
-        <source>change of the field's strength with the direction, worst sensor</source>
-        <translation>Änderung der Feldstärke mit der Richtung, schlechtester Sensor</translation>
     </message>
     <message>
         <source>change of the speed of sound</source>
@@ -7248,6 +7260,10 @@
     <message>
         <source>source %1%2</source>
         <translation>Quelle %1%2</translation>
+    </message>
+    <message>
+        <source>standard deviation of the field's strength over the directions, worst sensor</source>
+        <translation>Standardabweichung der Feldstärke über die Richtungen, schlechtester Sensor</translation>
     </message>
     <message>
         <source>strength of the field, mean</source>
@@ -8049,8 +8065,8 @@
         <translation>das Feld wurde in %1 verschiedenen Richtungen oder weniger gelesen</translation>
     </message>
     <message>
-        <source>the field was seen along %1 of %2 directions</source>
-        <translation>das Feld war in %1 von %2 Richtungen zu sehen</translation>
+        <source>the field was seen along %1 of %2 main directions, %3 are needed</source>
+        <translation>das Feld war in %1 von %2 Hauptrichtungen zu sehen, nötig sind %3</translation>
     </message>
     <message>
         <source>the positions do not determine the accelerometer</source>

@@ -105,7 +105,7 @@ Vector3d magnetOf(int board) {
 }
 
 /// Two of our own boards, in counts: 7 readings a second and nothing else.
-FieldRecord turnedRecord(int boards_turned) {
+FieldRecord turnedRecord(int boards_turned, double strength_ut = 48) {
     FieldRecord record;
     record.readings.resize(2);
     record.spot = SpotField{48.2, 0.4, 65.4, 1.9, 40, 12.5};
@@ -115,7 +115,7 @@ FieldRecord turnedRecord(int boards_turned) {
         for (int i = 0; i < 1500; ++i) {
             const Vector3d direction = Vector3d{normal(random), normal(random), normal(random)}.normalized();
             const Vector3d field_ut =
-                48 * direction + magnetOf(board) + 0.2 * Vector3d{normal(random), normal(random), 0};
+                strength_ut * direction + magnetOf(board) + 0.2 * Vector3d{normal(random), normal(random), 0};
             const Vector3d counts = field_ut.array() * 2048 / 100 + 2048;
             record.readings[size_t(board)].push_back({1000.0 + i * 150000 / 7.0, counts.array().round()});
         }
@@ -232,6 +232,54 @@ TEST(CalibrateSensors, TooFewDirectionsAreUsableAndSaid) {
         << result->document.findings.front().what;
     EXPECT_NE(result->document.findings.front().what.find(" of 100 directions were seen"), std::string::npos);
     EXPECT_EQ(result->calibration.boards[0].made.at("magnetometers").verdict, "usable");
+}
+
+TEST(CalibrateSensors, AFieldThatIsNotTheEarthsIsInTheVerdictAsInTheNumbers) {
+    const Folder folder;
+    ASSERT_TRUE(writeFieldTake(planOf(folder), twoBoards(), turnedRecord(2, 72)));
+    const auto result = calibrateMagnetometers(requestFor(planOf(folder).path), {}, {});
+    ASSERT_TRUE(result) << result.error().text();
+    const CalibrationDocument& document = result->document;
+    EXPECT_EQ(std::ranges::count(document.numbers, Grade::kUsable, &CalibrationNumber::grade), 1);
+    EXPECT_EQ(result->grade(), Grade::kUsable);
+    EXPECT_NE(document.findings.front().what.find("72.0 µT there, which the Earth's has nowhere"),
+              std::string::npos)
+        << document.findings.front().what;
+    EXPECT_EQ(result->calibration.boards[0].made.at("magnetometers").verdict, "usable");
+}
+
+TEST(CalibrateSensors, BeforeAndNowAreOneMeasure) {
+    const Folder folder;
+    ASSERT_TRUE(writeFieldTake(planOf(folder), twoBoards(), turnedRecord(2)));
+    CalibrateRequest request = requestFor(planOf(folder).path);
+    const auto first = calibrateMagnetometers(request, {}, {});
+    ASSERT_TRUE(first) << first.error().text();
+    request.base = first->calibration;
+    const auto again = calibrateMagnetometers(request, {}, {});
+    ASSERT_TRUE(again) << again.error().text();
+    for (int board = 0; board < 2; ++board) {
+        const nlohmann::json &then = first->json["boards"][size_t(board)],
+                             &now = again->json["boards"][size_t(board)];
+        EXPECT_GT(then["spread_before_percent"], 5) << "as it was read";
+        EXPECT_NEAR(now["spread_before_percent"], then["spread_after_percent"], 1e-6);
+        EXPECT_NEAR(now["spread_after_percent"], then["spread_after_percent"], 1e-6);
+    }
+    // The sentence, the card and the table tell one number.
+    const std::string told = again->document.numbers.front().value;
+    EXPECT_NE(again->document.summary.find("even to " + told), std::string::npos) << again->document.summary;
+    const auto& rows = again->document.tables.front().rows;
+    EXPECT_TRUE(std::ranges::any_of(rows, [&](const auto& row) { return row[3] + " %" == told; }));
+}
+
+/// Readings of another maker that are not told apart from ours by a wizard.
+TEST(CalibrateSensors, VerdictAndNumbersAgreeForEveryMaker) {
+    const Folder folder;
+    const auto result = calibrateMagnetometers(requestFor(turnedTake(folder, true)), {}, {});
+    ASSERT_TRUE(result) << result.error().text();
+    const bool any_doubt = std::ranges::any_of(result->document.numbers, [](const CalibrationNumber& number) {
+        return number.grade != Grade::kGood;
+    });
+    EXPECT_EQ(any_doubt, result->grade() != Grade::kGood);
 }
 
 TEST(CalibrateSensors, ABoardThatNeverLayStillIsRefused) {
