@@ -226,13 +226,16 @@ CalibrationDocument documentOf(const GyroscopeReport& report) {
 CalibrationDocument documentOf(const RestPoseReport& report) {
     CalibrationTable boards{
         "Boards",
-        "How each sits on its segment. A turn about the vertical cannot be seen in a rest pose.",
-        {"board", "leans, °", "sigma, °", "gyroscope's zero, counts"},
+        "How each sits on its segment. A turn about the vertical cannot be seen in a rest pose: headings "
+        "stay "
+        "as the suit's file has them.",
+        {"board", "leans, °", "sigma, °", "heading, sigma, °", "gyroscope's zero, counts"},
         {}};
     for (const BoardAtRest& board : report.boards)
         if (board.measured)
             boards.rows.push_back({board.id, inDegrees(board.tilt_from_suit_rad),
                                    inDegrees(board.sigma_mounting_tilt_rad),
+                                   inDegrees(board.sigma_turn_rad, 0),
                                    text::number(board.gyro_zero_counts.x(), 1) + " " +
                                        text::number(board.gyro_zero_counts.y(), 1) + " " +
                                        text::number(board.gyro_zero_counts.z(), 1)});
@@ -243,21 +246,29 @@ CalibrationDocument documentOf(const RestPoseReport& report) {
     for (const JointAtRest& joint : report.joints)
         joints.rows.push_back({text::jointLabel(joint.joint), inDegrees(joint.deviation_rad.norm()),
                                inDegrees(joint.sigma_rad)});
-    const std::string summary = "Boards aligned: " + counted(report.boards, &BoardAtRest::measured) +
-                                " with " + text::plural(report.distances, "distance", "distances");
+    const std::string aligned = counted(report.boards, &BoardAtRest::measured);
+    const std::string summary = report.distances == 0
+                                    ? "Boards aligned by gravity alone: " + aligned
+                                    : "Boards aligned: " + aligned + " with " +
+                                          text::plural(report.distances, "distance", "distances");
     CalibrationDocument found = document("Rest pose", summary, report.findings, {boards, joints});
     CalibrationErrors errors{"How far each board leans from its place on the performer", "°", 10, {}};
-    double worst_sigma_deg = 0, worst_lean_deg = 0;
+    double worst_sigma_deg = 0, worst_lean_deg = 0, heading_deg = 0;
     for (const BoardAtRest& board : report.boards)
         if (board.measured) {
             errors.rows.push_back({board.id, {}, {degrees(board.tilt_from_suit_rad)}});
             worst_sigma_deg = std::max(worst_sigma_deg, degrees(board.sigma_tilt_rad));
             worst_lean_deg = std::max(worst_lean_deg, degrees(board.tilt_from_suit_rad));
+            heading_deg = std::max(heading_deg, degrees(board.sigma_turn_rad));
         }
-    found.numbers = {number(worst_sigma_deg, 0.5, 2, "°", "sigma of the worst board's upright"),
-                     number(worst_lean_deg, 10, 1, "°", "the board that leans most"),
-                     numberOfParts(counted(report.boards, &BoardAtRest::measured), "boards"),
-                     {std::to_string(report.distances), "distances heard", "", Grade::kGood}};
+    const bool lacks_distances = report.sources > 0 && report.distances == 0;
+    found.numbers = {
+        number(worst_sigma_deg, 0.5, 2, "°", "sigma of the worst board's upright"),
+        number(worst_lean_deg, 10, 1, "°", "the board that leans most"),
+        {text::number(heading_deg, 0) + "°", "sigma of headings, which are the suit file's", "",
+         Grade::kGood},
+        {std::to_string(report.distances), "distances heard", report.sources > 0 ? "at least 1" : "",
+         lacks_distances ? Grade::kUsable : Grade::kGood}};
     found.errors = std::move(errors);
     return found;
 }

@@ -878,6 +878,10 @@
         <translation>Die Ruhehaltung neu kalibrieren</translation>
     </message>
     <message>
+        <source>Calibrate the sources and plug them in, then hold the rest pose again</source>
+        <translation>Kalibrieren Sie die Quellen und stecken Sie sie ein; nehmen Sie dann die Ruhehaltung noch einmal ein</translation>
+    </message>
+    <message>
         <source>Calibrate them in step Calibrate, then check the suit</source>
         <translation>Sie im Schritt Kalibrieren kalibrieren, dann den Anzug kontrollieren</translation>
     </message>
@@ -918,8 +922,8 @@
         <translation>Keine Platine des Anzugs ist in der Ruhehaltung zu hören</translation>
     </message>
     <message>
-        <source>No distance took part, so left and right boards that were swapped may pass unseen</source>
-        <translation>Kein Abstand ging ein; vertauschte linke und rechte Platinen können so unbemerkt bleiben</translation>
+        <source>No distance was measured, so this serves tilts and turns, not distances: %1</source>
+        <translation>Kein Abstand wurde gemessen; das taugt für Neigungen und Drehungen, nicht für Abstände: %1</translation>
     </message>
     <message>
         <source>Nothing in this take tells boards %1 apart%2: gravity is alike on both and no sound decides</source>
@@ -948,6 +952,10 @@
     <message>
         <source>Rest pose: comparing boards</source>
         <translation>Ruhehaltung: Platinen werden verglichen</translation>
+    </message>
+    <message>
+        <source>See that each board sits where it belongs, and calibrate the movement, which shows headings</source>
+        <translation>Achten Sie darauf, dass jede Platine sitzt, wo sie hingehört, und kalibrieren Sie die Bewegung, die Richtungen zeigt</translation>
     </message>
     <message>
         <source>See that it was made by this performer in this suit, or calibrate the rest pose again</source>
@@ -986,6 +994,10 @@
         <translation>Der Gurt von Platine %1, ist um etwa %2° verrutscht</translation>
     </message>
     <message>
+        <source>The suit has no sources: %1</source>
+        <translation>Der Anzug hat keine Quellen: %1</translation>
+    </message>
+    <message>
         <source>The take marks no rest pose; the longest stillness was taken for it, from %1 to %2</source>
         <translation>Die Aufnahme markiert keine Ruhehaltung; als solche gilt die längste Ruhe, von %1 bis %2</translation>
     </message>
@@ -996,6 +1008,10 @@
     <message>
         <source>are</source>
         <translation>sind</translation>
+    </message>
+    <message>
+        <source>headings (sigma %1°) and places are those of the suit's file, and boards swapped left and right pass unseen</source>
+        <translation>Richtungen (Sigma %1°) und Orte sind die der Anzugdatei, und links und rechts vertauschte Platinen fallen nicht auf</translation>
     </message>
     <message>
         <source>the marked rest pose</source>
@@ -6082,6 +6098,10 @@
         <translation>Platinen</translation>
     </message>
     <message>
+        <source>Boards aligned by gravity alone: %1</source>
+        <translation>Platinen allein durch die Schwerkraft ausgerichtet: %1</translation>
+    </message>
+    <message>
         <source>Boards aligned: %1 with %2</source>
         <translation>Ausgerichtete Platinen: %1 mit %2</translation>
     </message>
@@ -6270,8 +6290,8 @@
         <translation>Wie jedes Ergebnis dieser Aufnahme gegen die Referenz abschneidet: der Winkel zwischen den beiden Orientierungen eines Gelenks, sein Mittel und seine Standardabweichung über die Aufnahme.</translation>
     </message>
     <message>
-        <source>How each sits on its segment. A turn about the vertical cannot be seen in a rest pose.</source>
-        <translation>Wie jede auf ihrem Glied sitzt. Eine Drehung um die Senkrechte ist in einer Ruhehaltung nicht zu sehen.</translation>
+        <source>How each sits on its segment. A turn about the vertical cannot be seen in a rest pose: headings stay as the suit's file has them.</source>
+        <translation>Wie jede auf ihrem Segment sitzt. Eine Drehung um die Senkrechte ist in einer Ruhehaltung nicht zu sehen: Richtungen bleiben, wie die Anzugdatei sie hat.</translation>
     </message>
     <message>
         <source>How each sits on its segment. A turn that no movement shows keeps the sigma that the rest pose leaves it: of hands, feet and head, and of a limb about its own bone.</source>
@@ -6910,6 +6930,10 @@
         <translation>mindestens %1 %</translation>
     </message>
     <message>
+        <source>at least 1</source>
+        <translation>mindestens 1</translation>
+    </message>
+    <message>
         <source>axes seen</source>
         <translation>gesehene Achsen</translation>
     </message>
@@ -7052,6 +7076,10 @@
     <message>
         <source>hands, feet and head, mean position error in the frame of the pelvis</source>
         <translation>Hände, Füße und Kopf, mittlerer Positionsfehler im Bezugssystem des Beckens</translation>
+    </message>
+    <message>
+        <source>heading, sigma, °</source>
+        <translation>Richtung, Sigma, °</translation>
     </message>
     <message>
         <source>heard but unused</source>
@@ -7224,6 +7252,10 @@
     <message>
         <source>sigma about x y z, °</source>
         <translation>Sigma um x y z, °</translation>
+    </message>
+    <message>
+        <source>sigma of headings, which are the suit file's</source>
+        <translation>Sigma der Richtungen, die aus der Anzugdatei sind</translation>
     </message>
     <message>
         <source>sigma of the turns that the movement shows</source>

@@ -103,6 +103,7 @@ void fillReport(const RestPoseFit& fitter, const RestEvidenceMaker& maker, const
     report.swapped = explained.swapped;
     report.rivals = explained.rivals;
     report.untold = explained.untold;
+    report.sources = static_cast<int>(take.suit.sources.size());
     report.distances = static_cast<int>(explained.evidence.distances.size());
     report.distance_rms_m = distanceRms(explained);
     report.iterations = explained.fit.iterations;
@@ -164,7 +165,7 @@ Result<RestPoseReport> calibrateRestPose(const Observations& take, const RestPos
     fillReport(fitter, maker, take, still, *explained, report);
     addStandingFindings(take, still, report.findings);
     addPlaceFindings(take, settings, *explained, report);
-    addSensorFindings(take, maker, report);
+    addSensorFindings(take, settings, maker, report);
     job.progress(1, "Rest pose");
     return report;
 }

@@ -24,6 +24,7 @@ struct RestPoseSettings {
     double sigma_board_shift_m = 0.01, sigma_source_shift_m = 0.005;
     double sigma_distance_m = 0.005;                   ///< echoes, bones, the air; of a pulse heard well
     double askew_rad = radians(20), shifted_m = 0.04;  ///< boards beyond are named
+    double unknown_rad = radians(20);  ///< a mounting with a larger sigma is as good as unknown
 };
 
 struct BoardAtRest {
@@ -63,6 +64,7 @@ struct RestPoseReport {
     std::vector<SwappedBoards> swapped;  ///< surest first
     std::vector<SwappedBoards> untold;   ///< pairs that are as likely exchanged as not: nothing shows it
     std::vector<SwappedBoards> rivals;   ///< other exchanges that would explain the first of `swapped`
+    int sources = 0;                     ///< of the suit
     int distances = 0;                   ///< pairs that took part
     double distance_rms_m = 0;           ///< of what the fit leaves over, weighted, without echoes
     int iterations = 0;

@@ -69,6 +69,22 @@ void addAskew(const Observations& take, const RestPoseSettings& settings, const 
                         "Put its strap right or correct the suit file, then hold the rest pose again"});
 }
 
+/// Gravity alone says nothing of headings and places, nor which of two boards hangs left.
+void addUnmeasured(const Observations& take, const RestPoseSettings& settings, RestPoseReport& report) {
+    const std::string unknown = "headings (sigma " + text::number(degrees(settings.sigma_board_turn_rad), 0) +
+                                "°) and places are those of the suit's file, and boards swapped left and "
+                                "right pass unseen";
+    if (take.suit.sources.empty())
+        report.findings.push_back({Grade::kUsable, "", "The suit has no sources: " + unknown,
+                                   "See that each board sits where it belongs, and calibrate the movement, "
+                                   "which shows headings"});
+    else
+        report.findings.push_back(
+            {Grade::kUsable, "",
+             "No distance was measured, so this serves tilts and turns, not distances: " + unknown,
+             "Calibrate the sources and plug them in, then hold the rest pose again"});
+}
+
 }  // namespace
 
 void addWhyNotStill(const Observations& take, const StillStretch& still, std::vector<Finding>& into) {
@@ -140,16 +156,14 @@ void addPlaceFindings(const Observations& take, const RestPoseSettings& settings
         addShifted(take.suit.sources[static_cast<size_t>(s)].id, sourceName(take.suit, s),
                    explained.fit.source_shift_m[static_cast<size_t>(s)]);
     if (report.distances == 0)
-        report.findings.push_back(
-            {Grade::kUsable, "",
-             "No distance took part, so left and right boards that were swapped may pass unseen",
-             "Calibrate the sources first and see that they are plugged in"});
+        addUnmeasured(take, settings, report);
     if (!report.converged)
         report.findings.push_back(
             {Grade::kUsable, "", "The fit of the rest pose did not converge", kHoldAgain});
 }
 
-void addSensorFindings(const Observations& take, const RestEvidenceMaker& maker, RestPoseReport& report) {
+void addSensorFindings(const Observations& take, const RestPoseSettings& settings,
+                       const RestEvidenceMaker& maker, RestPoseReport& report) {
     double sigma_rad = 0;
     for (int b = 0; b < static_cast<int>(report.boards.size()); ++b) {
         const BoardAtRest& board = report.boards[static_cast<size_t>(b)];
@@ -166,7 +180,7 @@ void addSensorFindings(const Observations& take, const RestEvidenceMaker& maker,
                                        "Calibrate its accelerometer"});
     }
     if (sigma_rad > 0)
-        report.findings.push_back({Grade::kUsable, "",
+        report.findings.push_back({sigma_rad > settings.unknown_rad ? Grade::kNotUsable : Grade::kUsable, "",
                                    "Accelerometers are not calibrated: every tilt found here is uncertain by "
                                    "about " +
                                        text::number(degrees(sigma_rad), 0) + "°",

@@ -20,6 +20,7 @@ void addPlaceFindings(const Observations& take, const RestPoseSettings& settings
                       const RestExplanation& explained, RestPoseReport& report);
 
 /// Accelerometers without calibration, or far from g.
-void addSensorFindings(const Observations& take, const RestEvidenceMaker& maker, RestPoseReport& report);
+void addSensorFindings(const Observations& take, const RestPoseSettings& settings,
+                       const RestEvidenceMaker& maker, RestPoseReport& report);
 
 }  // namespace noctule

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <set>
 
+#include "core/report/calibration_documents.h"
 #include "tests/core/calibration/standing_take.h"
 #include "tests/support/fuzzing.h"
 
@@ -259,6 +260,43 @@ TEST(RestPoseCalibration, AccelerometersWithoutCalibrationAreSaidToBeUnsure) {
         square += std::pow(errors_rad[b] / report.boards[b].sigma_tilt_rad, 2) / 2 / 18;
     EXPECT_LT(square, 2.0);
     EXPECT_GT(report.boards[0].sigma_tilt_rad, radians(8));
+}
+
+TEST(RestPoseCalibration, WithoutDistancesItSaysWhatItDoesNotKnowAndWhatItServes) {
+    auto take = test::standing(5);
+    ASSERT_TRUE(take) << take.error().text();
+    EXPECT_EQ(findingsText(restReport(take->observations)).find("suit's file"), std::string::npos);
+    take->observations.flights.clear();
+    const RestPoseReport report = restReport(take->observations);
+    EXPECT_EQ(report.grade(), Grade::kUsable);
+    for (const char* words : {"No distance was measured", "tilts and turns, not distances",
+                              "headings (sigma 10°) and places are those of the suit's file"})
+        EXPECT_NE(findingsText(report).find(words), std::string::npos) << findingsText(report);
+    const CalibrationDocument document = documentOf(report);
+    EXPECT_EQ(document.summary, "Boards aligned by gravity alone: 18 of 18");
+    EXPECT_EQ(document.numbers[2].value, "10°");
+    EXPECT_EQ(document.numbers[3].grade, Grade::kUsable) << "no distance is not good";
+    take->observations.suit.sources.clear();
+    const RestPoseReport without = restReport(take->observations);
+    EXPECT_NE(findingsText(without).find("The suit has no sources"), std::string::npos);
+    for (const Finding& finding : without.findings)
+        EXPECT_EQ(finding.remedy.find("Calibrate the sources"), std::string::npos) << "it has none";
+}
+
+TEST(RestPoseCalibration, TiltsThatAreUnknownByTensOfDegreesAreNotUsable) {
+    auto take = test::standing(13);
+    ASSERT_TRUE(take) << take.error().text();
+    Observations& seen = take->observations;
+    const Calibration nominal = nominalCalibration(seen.suit);
+    for (size_t b = 0; b < seen.calibration.boards.size(); ++b) {
+        seen.calibration.boards[b].accel = nominal.boards[b].accel;
+        for (CountReading& reading : seen.boards[b])  // a slope that nobody has calibrated
+            reading.accel_counts =
+                Vector3d::Constant(2048) + 1.5 * (reading.accel_counts - Vector3d::Constant(2048));
+    }
+    const RestPoseReport report = restReport(seen);
+    EXPECT_GT(report.boards[0].sigma_tilt_rad, radians(20));
+    EXPECT_EQ(report.grade(), Grade::kNotUsable) << findingsText(report);
 }
 
 TEST(RestPoseCalibration, MovementIsSeenAndTheStillPartUsed) {
