@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/processing/take_markers.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -17,22 +18,46 @@ Error outside(const std::string& path, double t_s, double duration_s) {
 
 }  // namespace
 
+double MarkerClock::seconds(int64_t sample) const {
+    return rate_hz > 0 ? clock.takeTime_s(static_cast<double>(sample) / rate_hz) : 0;
+}
+
+int64_t MarkerClock::sampleAt(double t_s) const {
+    return std::llround(clock.suitTime_s(t_s) * rate_hz);
+}
+
+Result<MarkerClock> markerClock(Take& take) {
+    const auto subjects = take.subjects();
+    if (!subjects)
+        return subjects.error();
+    const auto wearer = std::ranges::find(*subjects, false, &TakeSubject::room);
+    MarkerClock found;
+    if (wearer != subjects->end())
+        found.suit = wearer->suit();
+    take.view(found.suit);
+    found.clock = take.suitClock();
+    found.rate_hz = static_cast<double>(take.header().sample_rate_hz);
+    return found;
+}
+
 Status changeMarker(const std::string& path, const MarkerChange& change, const JobContext& job) {
     auto take = Take::open(path, Access::kReadWrite, {job.cancel});
     if (!take)
         return take.error();
-    const auto rate_hz = take->sampleRate_hz();
-    if (!rate_hz)
+    const auto clock = markerClock(*take);
+    if (!clock)
+        return clock.error();
+    if (const auto rate_hz = take->sampleRate_hz(); !rate_hz)
         return rate_hz.error();
     const auto samples = take->sampleCount();
     if (!samples)
         return samples.error();
-    const auto rate = static_cast<double>(*rate_hz);
-    const double duration_s = static_cast<double>(*samples) / rate;
-    if (change.after && !(change.after->t_s >= 0 && change.after->t_s <= duration_s))
-        return outside(path, change.after->t_s, duration_s);
-    const auto row = [rate](const UserMarker& marker) {
-        return MarkerRow{std::llround(marker.t_s * rate), "user", marker.label};
+    const double end_s = clock->seconds(*samples);
+    if (change.after &&
+        !(change.after->t_s >= std::max(0.0, clock->seconds(0)) && change.after->t_s <= end_s))
+        return outside(path, change.after->t_s, end_s);
+    const auto row = [&clock](const UserMarker& marker) {
+        return MarkerRow{clock->sampleAt(marker.t_s), "user", marker.label};
     };
     auto edit = TakeEdit::begin(*take);
     if (!edit)

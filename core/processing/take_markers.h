@@ -7,8 +7,23 @@
 
 #include "core/job/job.h"
 #include "core/job/result.h"
+#include "core/recording/take.h"
 
 namespace noctule {
+
+/// Operators mark the take, not a suit: their markers stand with the first suit that somebody wears, in
+/// samples of its box.
+struct MarkerClock {
+    int suit = 1;
+    SuitClock clock;
+    double rate_hz = 0;  ///< 0: the take has none
+
+    /// Of the take's clock, as all times on the screens.
+    double seconds(int64_t sample) const;
+    int64_t sampleAt(double t_s) const;
+};
+/// The take looks at that suit then.
+Result<MarkerClock> markerClock(Take& take);
 
 struct UserMarker {
     double t_s = 0;  ///< on the take's clock

@@ -11,10 +11,12 @@ Result<ViewedTake> ViewedTake::open(const TakeView& view) {
     if (!subjects)
         return subjects.error();
     std::erase_if(*subjects, [](const TakeSubject& subject) { return subject.room; });
-    const int first = subjects->empty() ? 1 : subjects->front().suit();
-    const int suit = view.suit == kSuitInView ? first : view.suit;
+    const auto markers = markerClock(*take);
+    if (!markers)
+        return markers.error();
+    const int suit = view.suit == kSuitInView ? markers->suit : view.suit;
     take->view(suit);
-    return ViewedTake{std::move(*take), std::move(*subjects), suit};
+    return ViewedTake{std::move(*take), std::move(*subjects), suit, *markers};
 }
 
 Result<ReviewFile> ReviewFile::open(const TakeView& view) {

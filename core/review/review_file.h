@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/job/job.h"
+#include "core/processing/take_markers.h"
 #include "core/recording/take.h"
 #include "core/review/take_review.h"
 
@@ -19,6 +20,7 @@ struct ViewedTake {
     Take take;
     std::vector<TakeSubject> subjects;
     int suit;
+    MarkerClock markers;
 
     static Result<ViewedTake> open(const TakeView& view);
 };

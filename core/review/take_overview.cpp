@@ -13,7 +13,7 @@ namespace {
 
 class Overview {
 public:
-    explicit Overview(const ViewedTake& viewed) : take_(viewed.take) {
+    explicit Overview(const ViewedTake& viewed) : take_(viewed.take), markers_(viewed.markers) {
         view_.path = take_.path();
         view_.subjects = viewed.subjects;
         view_.suit_in_view = viewed.suit;
@@ -39,9 +39,9 @@ private:
         return found == take_.meta().end() ? "" : found->second;
     }
 
-    double seconds(int64_t sample, int suit = kSuitInView) const {
+    double seconds(int64_t sample) const {
         return view_.sample_rate_hz > 0
-                   ? take_.suitClock(suit).takeTime_s(static_cast<double>(sample) / view_.sample_rate_hz)
+                   ? take_.suitClock().takeTime_s(static_cast<double>(sample) / view_.sample_rate_hz)
                    : 0;
     }
 
@@ -93,12 +93,11 @@ private:
     }
 
     void readMarks() {
-        // Operators mark the take, not a suit: their markers stand with the first one.
-        const int first = view_.subjects.empty() ? view_.suit_in_view : view_.subjects.front().suit();
-        for (MarkerRow& marker : problems_.keep(take_.markers(first)).value_or(std::vector<MarkerRow>{}))
+        for (MarkerRow& marker :
+             problems_.keep(take_.markers(markers_.suit)).value_or(std::vector<MarkerRow>{}))
             if (marker.kind != "rest")
                 view_.markers.push_back(
-                    {seconds(marker.sample, first), std::move(marker.kind), std::move(marker.label)});
+                    {markers_.seconds(marker.sample), std::move(marker.kind), std::move(marker.label)});
         if (const auto rest = problems_.keep(take_.restInterval()); rest && *rest)
             view_.rest_s = std::pair(seconds((*rest)->first), seconds((*rest)->last));
         for (const GapRow& gap : problems_.keep(take_.gaps()).value_or(std::vector<GapRow>{}))
@@ -149,6 +148,7 @@ private:
     }
 
     const Take& take_;
+    const MarkerClock& markers_;
     TakeOverview view_;
     std::vector<GapRow> board_gaps_;
     Problems problems_;

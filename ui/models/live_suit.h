@@ -103,7 +103,8 @@ public:
     /// Keeps what was seen just now; evidenceRecorded() comes when it is on disk. In words why not, else
     /// empty.
     QString keepEvidence(const EvidencePlan& plan);
-    void addMarker(const QString& label);
+    /// Second of the take that it stands at.
+    double addMarker(const QString& label);
     void addNote(const QString& text);
     /// Who wears it; empty: the session's current performer.
     void setPerformer(const QString& name);

@@ -325,9 +325,13 @@ void LiveSuit::takeBack(const std::optional<RecorderState>& recorded) {
     setPhase(phaseWithoutTake());
 }
 
-void LiveSuit::addMarker(const QString& label) {
-    if (live_)
-        live_->addMarker("user", label.toStdString());
+double LiveSuit::addMarker(const QString& label) {
+    const auto hello = status()->hello;
+    if (!live_ || !hello)
+        return 0;
+    const int64_t sample = live_->reachedSample();
+    live_->addMarker("user", label.toStdString(), sample);
+    return static_cast<double>(sample) / hello->sample_rate_hz;
 }
 
 void LiveSuit::addNote(const QString& text) {

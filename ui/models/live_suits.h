@@ -93,7 +93,8 @@ public:
         int sample_rate_hz = 0;
     };
     OnDisk onDisk() const;
-    void addMarker(const QString& label);
+    /// Second of the take that it stands at. It is with the first performer, where readers look for it.
+    double addMarker(const QString& label);
     void addNote(const QString& text);
 
     /// Connects to a signal of whichever suit is looked at; `slot` is called, too, when another one is.

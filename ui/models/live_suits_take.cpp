@@ -215,8 +215,10 @@ LiveSuits::OnDisk LiveSuits::onDisk() const {
     return {least->recording(), hello ? hello->sample_rate_hz : 0};
 }
 
-void LiveSuits::addMarker(const QString& label) {
-    (recorded_.empty() ? *current_ : *recorded_.front()).suit.addMarker(label);
+double LiveSuits::addMarker(const QString& label) {
+    const auto worn =
+        std::ranges::find_if(recorded_, [](const SuitInUse* one) { return !one->suit.suit().isFixed(); });
+    return (worn == recorded_.end() ? *current_ : **worn).suit.addMarker(label);
 }
 
 void LiveSuits::addNote(const QString& text) {

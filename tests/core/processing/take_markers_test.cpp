@@ -70,6 +70,50 @@ TEST_F(TakeMarkers, OutsideTheTakeIsRefused) {
     EXPECT_TRUE(Take::open(path()).value().markers()->empty());
 }
 
+/// Somebody whose box began a quarter of a second after that of the room, which stands first.
+std::string lateTake(const Folder& folder) {
+    const std::string path = folder.file("late.noctule");
+    Suit room{"room", {}, {}}, worn{"worn", {}, {}};
+    room.boards.emplace_back().id = "anchor";
+    worn.boards.emplace_back().id = "chest";
+    worn.boards[0].segment = "Chest";
+    TakeHeader header;
+    header.name = "late";
+    header.uuid = "0";
+    header.created_utc = "2026-01-01T00:00:00Z";
+    header.sample_rate_hz = kRate_hz;
+    header.board_count = 1;
+    auto take = TakeWriter::create(path, header);
+    EXPECT_TRUE(take);
+    EXPECT_TRUE(take->setMeta("level", "readings"));
+    EXPECT_TRUE(take->setMeta("sample_count", std::to_string(2 * kRate_hz)));
+    EXPECT_TRUE(take->setMeta("subjects", R"([{"room":true,"suits":[1]},{"name":"Ada","suits":[2]}])"));
+    EXPECT_TRUE(take->addSuit(room));
+    EXPECT_TRUE(take->addSuit(worn, SuitClock{0.25e9, 1}));
+    EXPECT_TRUE(take->addActor(defaultActor(), "", 2));
+    EXPECT_TRUE(take->finish());
+    return path;
+}
+
+TEST_F(TakeMarkers, StandOnTheTakesClockWithWhomTheMarkersAreReadOf) {
+    const Folder folder;
+    const std::string late = lateTake(folder);
+    const MarkerChange set{.after = UserMarker{1.25, "turn"}};
+    const Status status = changeMarker(late, set, {});
+    ASSERT_TRUE(status) << status.error().text();
+    auto take = Take::open(late).value();
+    EXPECT_TRUE(take.markers(1)->empty()) << "the room has none";
+    const auto markers = take.markers(2);
+    ASSERT_EQ(markers->size(), 1u);
+    EXPECT_EQ(markers->front().sample, kRate_hz) << "of a box that began later";
+    const auto clock = markerClock(take);
+    ASSERT_TRUE(clock);
+    EXPECT_DOUBLE_EQ(clock->seconds(markers->front().sample), 1.25);
+    EXPECT_TRUE(changeMarker(late, set.reversed(), {})) << "it is found again";
+    EXPECT_TRUE(Take::open(late).value().markers(2)->empty());
+    EXPECT_FALSE(changeMarker(late, {.after = UserMarker{0.1, "early"}}, {})) << "the box was not there yet";
+}
+
 TEST_F(TakeMarkers, AMissingTakeIsNamed) {
     const Status status = changeMarker(file("none.noctule"), {.after = UserMarker{}}, {});
     ASSERT_FALSE(status);

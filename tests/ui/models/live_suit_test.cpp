@@ -86,7 +86,7 @@ TEST_F(LiveSuitTest, ATakeIsInTheSessionWithTheResultsThatTheFileGives) {
     ASSERT_TRUE(recordFor(2));
     ASSERT_EQ(started.count(), 1);
     EXPECT_EQ(started[0][0].toString(), "walk_001");
-    suit_->addMarker("here");
+    const double here_s = suit_->addMarker("here");
     EXPECT_GT(suit_->recording()->committed_samples, 100'000);
     suit_->stopRecording();
     EXPECT_EQ(suit_->phase(), Phase::kSaving);
@@ -102,6 +102,7 @@ TEST_F(LiveSuitTest, ATakeIsInTheSessionWithTheResultsThatTheFileGives) {
     const Take file = std::move(Take::open(live).value());
     EXPECT_EQ(file.meta().at("performer"), session_.session().current_performer);
     EXPECT_EQ(file.markers()->back().label, "here");
+    EXPECT_DOUBLE_EQ(static_cast<double>(file.markers()->back().sample) / 150000, here_s);
     noctule::test::expectSameResults(live, noctule::test::processedFromFile(folder_, live));
     EXPECT_TRUE(reach(Phase::kLooking)) << "and looks again";
 }

@@ -308,10 +308,17 @@ TEST_F(RecordPageTest, MarkersAndNotesAreListedAndInTheTake) {
     const Take take = std::move(Take::open(pathOf("take_001")).value());
     const auto markers = take.markers();
     std::vector<std::string> labels;
+    std::vector<double> times_s;
     for (const MarkerRow& marker : *markers)
-        if (marker.kind == "user")
+        if (marker.kind == "user") {
             labels.push_back(marker.label);
+            times_s.push_back(static_cast<double>(marker.sample) /
+                              static_cast<double>(take.header().sample_rate_hz));
+        }
     EXPECT_EQ(labels, (std::vector<std::string>{"Marker 1", "Marker 2"}));
+    ASSERT_EQ(times_s.size(), 2u);
+    EXPECT_DOUBLE_EQ(run().marks()[0].t_s, times_s[0]) << "the list tells where the take has it";
+    EXPECT_DOUBLE_EQ(run().marks()[2].t_s, times_s[1]);
     ASSERT_EQ(take.notes()->size(), 1u);
     EXPECT_TRUE(QRegularExpression("^0:0\\d\\.\\d m left heel slips$")
                     .match(QString::fromStdString(take.notes()->at(0).text))

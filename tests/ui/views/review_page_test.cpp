@@ -9,10 +9,13 @@
 
 #include "tests/ui/views/reviewed_session.h"
 #include "ui/models/part_names.h"
+#include "ui/plots/timeline.h"
+#include "ui/style/words.h"
 #include "ui/views/report/joint_table.h"
 #include "ui/views/report/report_panel.h"
 #include "ui/views/report/report_view.h"
 #include "ui/views/review/choice_row.h"
+#include "ui/views/review/markers_panel.h"
 #include "ui/views/review/notes_panel.h"
 #include "ui/views/review/reprocess_dialog.h"
 #include "ui/views/review/review_center.h"
@@ -279,6 +282,17 @@ TEST_F(ReviewPageTest, F2RenamesTheTakeAndTheOpenOneFollows) {
     EXPECT_EQ(take().name, "swing_001");
     EXPECT_TRUE(waitFor(
         [this] { return studio_->take().path() == takePath("swing_001") && studio_->take().verdict(); }));
+}
+
+TEST_F(ReviewPageTest, AMarkerIsListedAtTheTimeThatTheTimelineShowsThere) {
+    studio_->markers().add(1.246);
+    auto* list = page_->sidebar().findChild<MarkersPanel*>();
+    ASSERT_TRUE(waitFor([&] { return list->item(0)->text().contains("Marker 1") && jobsAreDone(); }));
+    emit list->itemClicked(list->item(0));
+    const QString listed = list->item(0)->text().section(' ', 0, 0);
+    EXPECT_EQ(listed, timeText(1.246, 2));
+    EXPECT_TRUE(page_->center().timeline().valueText().startsWith(listed))
+        << page_->center().timeline().valueText().toStdString();
 }
 
 TEST_F(ReviewPageTest, KeysReachThePageFromItsDocks) {

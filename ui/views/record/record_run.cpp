@@ -377,8 +377,7 @@ void RecordRun::addMarker() {
     if (state_ != State::kRecording || running_.isEmpty())
         return;
     const QString label = tr("Marker %1").arg(++markers_);
-    capture_.suits().addMarker(label);
-    marks_.push_back({TakeMark::Kind::kMarker, capture_.suits().recordedSeconds(), label});
+    marks_.push_back({TakeMark::Kind::kMarker, capture_.suits().addMarker(label), label});
     emit marksChanged();
 }
 

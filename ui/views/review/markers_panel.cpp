@@ -34,7 +34,8 @@ void MarkersPanel::refresh() {
     const int row_px = Theme::get().px(kMarkerRow);
     for (const ReviewMarker& marker : markers) {
         const QString label = marker.label.empty() ? tr("Marker") : QString::fromStdString(marker.label);
-        auto* item = new QListWidgetItem(tr("%1   %2", "time, name").arg(timeText(marker.t_s), label), this);
+        auto* item =
+            new QListWidgetItem(tr("%1   %2", "time, name").arg(timeText(marker.t_s, 2), label), this);
         item->setData(kMarkerTime, marker.t_s);
         item->setSizeHint({0, row_px});
         item->setToolTip(label);
