@@ -105,7 +105,8 @@ void TransportBar::connectStudio() {
     connect(&time, &TimeCursor::playingChanged, this, &TransportBar::refreshPlaying);
     connect(&time, &TimeCursor::settingsChanged, this, &TransportBar::refreshSettings);
     connect(&review_.take(), &TakeDocument::opened, this, &TransportBar::refreshEnabled);
-    connect(&review_.take(), &TakeDocument::motionChanged, this, &TransportBar::refreshRange);
+    for (const auto signal : {&TakeDocument::motionChanged, &TakeDocument::runsChanged})
+        connect(&review_.take(), signal, this, &TransportBar::refreshRange);
 }
 
 void TransportBar::refreshRange() {

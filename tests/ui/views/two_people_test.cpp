@@ -11,14 +11,18 @@
 #include "ui/plots/plot_panel.h"
 #include "ui/scene/scene_view.h"
 #include "ui/scene/take_scene.h"
+#include "ui/style/words.h"
 #include "ui/views/export/export_form.h"
 #include "ui/views/export/export_page.h"
+#include "ui/views/report/full_report.h"
 #include "ui/views/report/report_panel.h"
 #include "ui/views/review/performer_switch.h"
 #include "ui/views/review/reference_panel.h"
 #include "ui/views/review/review_center.h"
 #include "ui/views/review/review_page.h"
 #include "ui/views/review/review_sidebar.h"
+#include "ui/views/review/run_list.h"
+#include "ui/views/review/run_row.h"
 #include "ui/widgets/button.h"
 
 namespace noctule::ui {
@@ -101,6 +105,23 @@ TEST_F(TwoPeopleTest, TheOperatorChoosesWhoIsShown) {
     EXPECT_TRUE(waitFor([this] { return studio_->take().subject() == 0; }));
     openTake("swing_001");
     EXPECT_FALSE(page_->center().performers().isVisible()) << "there is one performer only";
+}
+
+TEST_F(TwoPeopleTest, TheListOfResultsAndTheFullReportAreOfWhomIsShown) {
+    FullReport report(*studio_);
+    const auto mean_deg = [&] {
+        report.need();
+        EXPECT_TRUE(waitFor([&] { return report.data() && jobsAreDone(); }));
+        return report.meanError_deg(studio_->take().shownRun());
+    };
+    const auto of_ada = mean_deg();
+    show(1);
+    const auto of_bea = mean_deg();
+    ASSERT_TRUE(of_ada && of_bea && studio_->take().verdict()->mean_error_deg);
+    EXPECT_NE(*of_ada, *of_bea);
+    EXPECT_NEAR(*of_bea, *studio_->take().verdict()->mean_error_deg, 1e-9) << "as her own verdict has it";
+    const QString detail = page_->sidebar().runs().row(studio_->take().shownRun())->detail();
+    EXPECT_TRUE(detail.contains(degreesText(radians(*of_bea)))) << detail.toStdString();
 }
 
 TEST_F(TwoPeopleTest, BothBodiesStandInThePictureWithTheirLetters) {

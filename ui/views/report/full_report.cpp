@@ -17,6 +17,7 @@ FullReport::FullReport(ReviewContext& review, QObject* parent) : QObject(parent)
 void FullReport::outdate() {
     if (job_)
         job_->cancel();
+    job_.clear();  // until it has ended it would keep the next one from beginning
     ++ticket_;
     shown_ = review_.take().shownRun();
     failed_ = false;
@@ -38,6 +39,7 @@ void FullReport::need() {
     EvaluateRequest request;
     request.take_path = take.path().toStdString();
     request.run_number = take.overview()->runs[static_cast<size_t>(take.shownRun())].run.run;
+    request.suit = take.overview()->suit_in_view;
     request.all_runs = true;
     job_ = review_.shared().jobs().start<ReportData>(
         tr("Comparing all results"), [request](const JobContext& job) { return evaluateTake(request, job); },

@@ -16,6 +16,7 @@ RunList::RunList(ReviewContext& review, FullReport& report, QWidget* parent)
     setAccessibleName(tr("Results"));
     connect(&review.take(), &TakeDocument::opened, this, &RunList::rebuild);
     connect(&review.take(), &TakeDocument::runsChanged, this, &RunList::refresh);
+    connect(&review.take(), &TakeDocument::reportChanged, this, &RunList::refresh);
     connect(&report, &FullReport::changed, this, &RunList::refresh);
     rebuild();
 }
