@@ -10487,18 +10487,6 @@ Drehen, beide Richtungen x3</translation>
         <translation>%1 abbrechen</translation>
     </message>
     <message>
-        <source>Room on %1</source>
-        <translation>Platz auf %1</translation>
-    </message>
-    <message>
-        <source>Storage %1 free, %2 h of recording</source>
-        <translation>Speicher %1 frei, %2 h Aufnahme</translation>
-    </message>
-    <message>
-        <source>Storage %1 free, %2 min of recording</source>
-        <translation>Speicher %1 frei, %2 min Aufnahme</translation>
-    </message>
-    <message>
         <source>A suit of 18 boards records 5.4 MB a second.</source>
         <translation>Ein Anzug mit 18 Platinen zeichnet 5,4 MB in der Sekunde auf.</translation>
     </message>
@@ -10510,6 +10498,14 @@ Drehen, beide Richtungen x3</translation>
     <message>
         <source>%1 °C</source>
         <translation>%1 °C</translation>
+    </message>
+    <message>
+        <source>Storage %1 free, %2 of recording</source>
+        <translation>Speicher %1 frei, %2 Aufnahme</translation>
+    </message>
+    <message>
+        <source>What is connected records %1 a second.</source>
+        <translation>Was verbunden ist, nimmt %1 in der Sekunde auf.</translation>
     </message>
 </context>
 <context>
@@ -10529,6 +10525,13 @@ Drehen, beide Richtungen x3</translation>
     <message>
         <source>Steps</source>
         <translation>Schritte</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::StorageWatch</name>
+    <message>
+        <source>Room on %1</source>
+        <translation>Platz auf %1</translation>
     </message>
 </context>
 <context>
@@ -10604,13 +10607,6 @@ Drehen, beide Richtungen x3</translation>
         <source>Records, %1</source>
         <comment>a time of the take</comment>
         <translation>Nimmt auf, %1</translation>
-    </message>
-</context>
-<context>
-    <name>noctule::ui::SuitCheck</name>
-    <message>
-        <source>Room for takes</source>
-        <translation>Platz für Aufnahmen</translation>
     </message>
 </context>
 <context>

@@ -18,7 +18,7 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kStatusLineHeight = 26, kSaid_ms = 8000, kStorage_ms = 30'000;
+constexpr int kStatusLineHeight = 26, kSaid_ms = 8000;
 
 Job* newestRunning(const Jobs& jobs) {
     Job* newest = nullptr;
@@ -55,7 +55,8 @@ StatusLine::StatusLine(Studio& studio, QWidget* parent) : QWidget(parent), studi
     });
     connect(&studio_.jobs(), &Jobs::changed, this, &StatusLine::showJobs);
     connect(&studio_.session(), &SessionModel::opened, this, &StatusLine::showOpen);
-    connect(&studio_.session(), &SessionModel::opened, this, &StatusLine::lookAtStorage);
+    connect(&studio_.suits().storage(), &StorageWatch::changed, this, &StatusLine::showStorage);
+    connect(&studio_.suits(), &LiveSuits::changed, this, &StatusLine::showStorage);
     connect(&studio_.session(), &SessionModel::changed, this, &StatusLine::showOpen);
     connect(&studio_.take(), &TakeDocument::opened, this, &StatusLine::showOpen);
     connect(&studio_, &Studio::said, this, &StatusLine::say);
@@ -67,11 +68,9 @@ StatusLine::StatusLine(Studio& studio, QWidget* parent) : QWidget(parent), studi
         said_.clear();
         showOpen();
     });
-    connect(&storage_timer_, &QTimer::timeout, this, &StatusLine::lookAtStorage);
-    storage_timer_.start(kStorage_ms);
     showOpen();
     showJobs();
-    QTimer::singleShot(0, this, &StatusLine::lookAtStorage);
+    showStorage();
 }
 
 QSize StatusLine::sizeHint() const {
@@ -174,29 +173,20 @@ void StatusLine::showJobs() {
     cancel_->setAccessibleName(newest ? tr("Cancel %1").arg(newest->title()) : tr("Cancel"));
 }
 
-void StatusLine::lookAtStorage() {
-    const QString folder = studio_.takesFolder();
-    studio_.jobs().start<Storage>(
-        tr("Room on %1").arg(folder),
-        [folder](const JobContext&) -> Result<Storage> { return storageAt(folder); },
-        [self = QPointer(this)](Result<Storage> storage) -> QString {
-            if (self && storage)
-                self->showStorage(*storage);
-            return {};
-        },
-        Jobs::Loudness::kQuiet);
-}
-
-void StatusLine::showStorage(const Storage& storage) {
-    if (storage.free_bytes < 0)
+void StatusLine::showStorage() {
+    LiveSuits& suits = studio_.suits();
+    const qint64 free_bytes = suits.storage().freeBytes();
+    const auto left_s = suits.storageLeft_s();
+    if (free_bytes < 0 || !left_s)
         return storage_->setText({});
-    const double hours = storage.recordingHours();
-    storage_->setText(hours >= 2 ? tr("Storage %1 free, %2 h of recording")
-                                       .arg(bytesText(storage.free_bytes), numberText(hours, 0))
-                                 : tr("Storage %1 free, %2 min of recording")
-                                       .arg(bytesText(storage.free_bytes), numberText(hours * 60, 0)));
-    storage_->setInk(hours >= 1 ? Ink::kLabel : hours >= 0.1 ? Ink::kWarn : Ink::kError);
-    storage_->setToolTip(tr("A suit of 18 boards records 5.4 MB a second."));
+    storage_->setText(
+        tr("Storage %1 free, %2 of recording").arg(bytesText(free_bytes), durationWords(*left_s)));
+    const Tone tone = toneOfStorage(*left_s);
+    storage_->setInk(tone == Tone::kOk ? Ink::kLabel : tone == Tone::kWarn ? Ink::kWarn : Ink::kError);
+    storage_->setToolTip(suits.connected().empty()
+                             ? tr("A suit of 18 boards records 5.4 MB a second.")
+                             : tr("What is connected records %1 a second.")
+                                   .arg(bytesText(static_cast<qint64>(suits.bytesPerSecond()))));
 }
 
 void StatusLine::paintEvent(QPaintEvent*) {

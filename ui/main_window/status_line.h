@@ -7,7 +7,6 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "ui/models/storage.h"
 #include "ui/models/studio.h"
 
 namespace noctule::ui {
@@ -41,8 +40,7 @@ protected:
 private:
     void say(const QString& sentence);
     void showOpen();
-    void showStorage(const Storage& storage);
-    void lookAtStorage();
+    void showStorage();
     QString sessionWords() const;
     QString suitWords() const;
 
@@ -51,7 +49,7 @@ private:
     ElidedLabel* open_;
     Label* storage_;
     StatusButton *jobs_, *cancel_, *shortcuts_;
-    QTimer said_timer_, storage_timer_;
+    QTimer said_timer_;
     QString said_;
     QString drawn_;  ///< what safe_ shows
 };

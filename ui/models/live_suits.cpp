@@ -28,17 +28,19 @@ LiveSuits::LiveSuits(Jobs& jobs, SessionModel& session, LiveSuit::Surroundings s
       jobs_(jobs),
       session_(session),
       surroundings_(std::move(surroundings)),
-      folders_(std::move(folders)) {
+      folders_(std::move(folders)),
+      storage_(jobs, folders_.takes) {
     timer_.setInterval(kLookAtTake_ms);
     connect(&timer_, &QTimer::timeout, this, &LiveSuits::lookAtTake);
     current_ = &make();
     connect(&session_, &SessionModel::opened, this, &LiveSuits::assignPerformers);
     connect(&session_, &SessionModel::changed, this, &LiveSuits::assignPerformers);
+    connect(&session_, &SessionModel::opened, &storage_, &StorageWatch::look);
 }
 
 SuitInUse& LiveSuits::make() {
-    all_.push_back(
-        std::make_unique<SuitInUse>(jobs_, session_, surroundings_, folders_.takes, folders_.suits));
+    all_.push_back(std::make_unique<SuitInUse>(
+        jobs_, session_, surroundings_, [this] { return storageLeft_s(); }, folders_.suits));
     SuitInUse& worn = *all_.back();
     connect(&worn.suit, &LiveSuit::failed, this, &LiveSuits::failed);
     connect(&worn.suit, &LiveSuit::warned, this, &LiveSuits::warned);

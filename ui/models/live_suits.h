@@ -14,6 +14,7 @@
 #include "devices/live/record_take.h"
 #include "ui/models/calibration_shelf.h"
 #include "ui/models/live_suit.h"
+#include "ui/models/storage.h"
 #include "ui/models/suit_check.h"
 
 namespace noctule::ui {
@@ -27,9 +28,9 @@ struct CheckedSuit {
 /// A suit with what is judged and kept of it. Not connected it is free for the next one.
 struct SuitInUse {
     SuitInUse(Jobs& jobs, SessionModel& session, const LiveSuit::Surroundings& surroundings,
-              const std::function<QString()>& takes_folder, const QString& suits_folder)
+              std::function<std::optional<double>()> storage_left_s, const QString& suits_folder)
         : suit(jobs, session, surroundings),
-          check(jobs, suit, takes_folder),
+          check(suit, std::move(storage_left_s)),
           calibrations(session, suit, suits_folder) {}
 
     LiveSuit suit;
@@ -93,6 +94,11 @@ public:
         int sample_rate_hz = 0;
     };
     OnDisk onDisk() const;
+    StorageWatch& storage() { return storage_; }
+    /// Of the sound of all that are connected; without one of the usual suit.
+    double bytesPerSecond() const;
+    /// How long all of them can be recorded, while they are at the rate so far; absent: not known.
+    std::optional<double> storageLeft_s() const;
     /// Second of the take that it stands at. It is with the first performer, where readers look for it.
     double addMarker(const QString& label);
     void addNote(const QString& text);
@@ -161,6 +167,7 @@ private:
     SessionModel& session_;
     const LiveSuit::Surroundings surroundings_;
     const Folders folders_;
+    StorageWatch storage_;
     std::vector<std::unique_ptr<SuitInUse>> all_;
     SuitInUse* current_ = nullptr;
     struct Follower {

@@ -215,6 +215,26 @@ LiveSuits::OnDisk LiveSuits::onDisk() const {
     return {least->recording(), hello ? hello->sample_rate_hz : 0};
 }
 
+double LiveSuits::bytesPerSecond() const {
+    double bytes_per_s = 0;
+    for (const SuitInUse* worn : connected())
+        if (const auto hello = worn->suit.status()->hello)
+            bytes_per_s += 2.0 * hello->boardCount() * hello->sample_rate_hz;
+    return bytes_per_s > 0 ? bytes_per_s : kUsualBytesPerSecond;
+}
+
+std::optional<double> LiveSuits::storageLeft_s() const {
+    if (group_)
+        if (const auto left_s = group_->remaining_s())
+            return left_s;
+    if (const auto recording = current_->suit.recording();
+        take_phase_ == Phase::kNone && recording && recording->remaining_s)
+        return recording->remaining_s;
+    if (storage_.freeBytes() < 0)
+        return std::nullopt;
+    return recordingSeconds(storage_.freeBytes(), bytesPerSecond());
+}
+
 double LiveSuits::addMarker(const QString& label) {
     const auto worn =
         std::ranges::find_if(recorded_, [](const SuitInUse* one) { return !one->suit.suit().isFixed(); });

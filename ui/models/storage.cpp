@@ -3,25 +3,51 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QPointer>
 #include <QStorageInfo>
+#include <algorithm>
+
+#include "devices/live/recorder.h"
 
 namespace noctule::ui {
 namespace {
 
-constexpr double kBytesPerSecond = 18 * 150'000.0 * 2;
+constexpr int kLookAtDisk_ms = 20'000;
 
 }  // namespace
 
-double Storage::recordingHours() const {
-    return static_cast<double>(free_bytes) / kBytesPerSecond / 3600;
+double recordingSeconds(qint64 free_bytes, double bytes_per_s) {
+    return std::max(0.0, static_cast<double>(free_bytes - RecorderSettings{}.reserve_bytes) / bytes_per_s);
 }
 
-Storage storageAt(const QString& folder) {
+qint64 freeBytesAt(const QString& folder) {
     QString path = QDir::cleanPath(folder);
     while (!QFileInfo::exists(path) && !QDir(path).isRoot())
         path = QFileInfo(path).path();
     const QStorageInfo volume(path);
-    return {volume.isValid() ? volume.bytesAvailable() : -1};
+    return volume.isValid() ? volume.bytesAvailable() : -1;
+}
+
+StorageWatch::StorageWatch(Jobs& jobs, std::function<QString()> folder, QObject* parent)
+    : QObject(parent), jobs_(jobs), folder_(std::move(folder)) {
+    connect(&timer_, &QTimer::timeout, this, &StorageWatch::look);
+    timer_.start(kLookAtDisk_ms);
+    QTimer::singleShot(0, this, &StorageWatch::look);
+}
+
+void StorageWatch::look() {
+    const QString folder = folder_();
+    jobs_.start<qint64>(
+        tr("Room on %1").arg(folder),
+        [folder](const JobContext&) -> Result<qint64> { return freeBytesAt(folder); },
+        [self = QPointer(this)](Result<qint64> free_bytes) -> QString {
+            if (self && free_bytes) {
+                self->free_bytes_ = *free_bytes;
+                emit self->changed();
+            }
+            return {};
+        },
+        Jobs::Loudness::kQuiet);
 }
 
 }  // namespace noctule::ui

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/models/suit_check.h"
 
-#include <QPointer>
-
 namespace noctule::ui {
 namespace {
 
-constexpr int kJudgeEvery_ms = 200, kJudgementsPerLookAtDisk = 100;
+constexpr int kJudgeEvery_ms = 200;
 
 }  // namespace
 
-SuitCheck::SuitCheck(Jobs& jobs, LiveSuit& suit, std::function<QString()> folder, QObject* parent)
-    : QObject(parent), jobs_(jobs), suit_(suit), folder_(std::move(folder)) {
+SuitCheck::SuitCheck(LiveSuit& suit, std::function<std::optional<double>()> storage_left_s, QObject* parent)
+    : QObject(parent), suit_(suit), storage_left_s_(std::move(storage_left_s)) {
     clock_.start();
     timer_.setInterval(kJudgeEvery_ms);
     connect(&timer_, &QTimer::timeout, this, &SuitCheck::judge);
@@ -38,7 +36,6 @@ void SuitCheck::follow() {
         was_heard_.assign(hello->suit.boards.size(), false);
         battery_ = {};
         lost_since_ = {};
-        judged_ = 0;
         rate_from_sample_ = -1;
         bytes_per_s_ = 0;
         timer_.start();
@@ -49,8 +46,6 @@ void SuitCheck::follow() {
 void SuitCheck::judge() {
     if (!judge_)
         return;
-    if (judged_++ % kJudgementsPerLookAtDisk == 0)
-        lookAtStorage();
     measureRate();
     const auto status = suit_.status();
     const auto frame = suit_.frame();
@@ -61,7 +56,7 @@ void SuitCheck::judge() {
     facts.is_room = suit_.suit().isFixed();
     for (const uint16_t flags : status->board_flags)
         facts.board_is_plugged.push_back(flags & link::kBoardConnected);
-    facts.storage_left_s = storageLeft_s();
+    facts.storage_left_s = storage_left_s_();
     addFit(facts);
     facts.without_boards = without_boards_;
     facts.without_sources = without_sources_;
@@ -170,26 +165,6 @@ void SuitCheck::goOnWithout(const ReadinessProblem& problem) {
     if (problem.source >= 0)
         without_sources_.insert(problem.source);
     judge();
-}
-
-std::optional<double> SuitCheck::storageLeft_s() const {
-    const auto hello = suit_.status()->hello;
-    if (!hello || free_bytes_ < 0)
-        return std::nullopt;
-    const double bytes_per_s = 2.0 * hello->boardCount() * hello->sample_rate_hz;
-    return static_cast<double>(free_bytes_) / bytes_per_s;
-}
-
-void SuitCheck::lookAtStorage() {
-    jobs_.start<Storage>(
-        tr("Room for takes"),
-        [folder = folder_()](const JobContext&) -> Result<Storage> { return storageAt(folder); },
-        [self = QPointer(this)](Result<Storage> storage) -> QString {
-            if (self && storage)
-                self->free_bytes_ = storage->free_bytes;
-            return {};
-        },
-        Jobs::Loudness::kQuiet);
 }
 
 }  // namespace noctule::ui

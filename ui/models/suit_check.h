@@ -15,15 +15,15 @@
 #include "core/live/battery_forecast.h"
 #include "core/live/readiness.h"
 #include "ui/models/live_suit.h"
-#include "ui/models/storage.h"
 
 namespace noctule::ui {
 
 class SuitCheck : public QObject {
     Q_OBJECT
 public:
-    /// `folder`: where takes would go.
-    SuitCheck(Jobs& jobs, LiveSuit& suit, std::function<QString()> folder, QObject* parent = nullptr);
+    /// `storage_left_s`: how long can be recorded; absent: not known.
+    SuitCheck(LiveSuit& suit, std::function<std::optional<double>()> storage_left_s,
+              QObject* parent = nullptr);
 
     /// Of no suit: waiting, without boards.
     const Readiness& readiness() const { return readiness_; }
@@ -33,7 +33,6 @@ public:
     /// When the link broke; invalid while it holds.
     QTime lostSince() const { return lost_since_; }
     std::optional<double> batteryLeft_s() const { return battery_.left_s(); }
-    std::optional<double> storageLeft_s() const;
     /// Of sound that arrives now, as measured.
     double bytesPerSecond() const { return bytes_per_s_; }
 
@@ -54,11 +53,9 @@ private:
     void noteTimes();
     void measureRate();
     void forgetAccepted();
-    void lookAtStorage();
 
-    Jobs& jobs_;
     LiveSuit& suit_;
-    const std::function<QString()> folder_;
+    const std::function<std::optional<double>()> storage_left_s_;
     std::unique_ptr<ReadinessJudge> judge_;
     Readiness readiness_;
     std::string serial_;
@@ -69,11 +66,9 @@ private:
     std::optional<bool> checked_;
     BatteryForecast battery_;
     QElapsedTimer clock_;
-    qint64 free_bytes_ = -1;
     int64_t rate_from_sample_ = -1;
     QElapsedTimer rate_clock_;
     double bytes_per_s_ = 0;
-    int judged_ = 0;
     QTimer timer_;
 };
 

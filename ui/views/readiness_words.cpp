@@ -427,6 +427,13 @@ QString linkBrokenInShort() {
     return ReadinessText::tr("Link broken");
 }
 
+Tone toneOfStorage(double left_s) {
+    const ReadinessLimits limits;
+    return left_s < limits.storage_empty_s   ? Tone::kError
+           : left_s < limits.storage_short_s ? Tone::kWarn
+                                             : Tone::kOk;
+}
+
 QString durationWords(double seconds) {
     const auto minutes = static_cast<int>(seconds / 60);
     if (seconds < 100)

@@ -44,5 +44,7 @@ QString linkSentence(const LiveSuit& suit, double bytes_per_s);
 QString linkBrokenInShort();
 /// "3 h 20 min", "45 min", "50 s"
 QString durationWords(double seconds);
+/// Of how long can still be recorded.
+Tone toneOfStorage(double left_s);
 
 }  // namespace noctule::ui

@@ -3,6 +3,7 @@
 // box plays the tiny take over TCP in real time. NOCTULE_RECORD_S: another length than two seconds, on a
 // machine with nothing else to do; NOCTULE_RECORD_TAKE: another take, with the calibration in it.
 #include <QAbstractButton>
+#include <QLabel>
 #include <QMessageBox>
 #include <QThread>
 #include <QUdpSocket>
@@ -13,6 +14,7 @@
 #include "tests/devices/support/test_box.h"
 #include "tests/ui/main_window/studio_fixture.h"
 #include "tests/ui/support/stall_watch.h"
+#include "ui/main_window/status_line.h"
 #include "ui/main_window/top_bar.h"
 #include "ui/scene/scene_view.h"
 #include "ui/views/connect/connect_page.h"
@@ -20,9 +22,11 @@
 #include "ui/views/connect/devices_panel.h"
 #include "ui/views/connect/readiness_panel.h"
 #include "ui/views/export/export_page.h"
+#include "ui/views/readiness_words.h"
 #include "ui/views/record/record_bar.h"
 #include "ui/views/record/record_center.h"
 #include "ui/views/record/record_page.h"
+#include "ui/views/record/record_readiness.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/record_button.h"
 
@@ -127,6 +131,32 @@ TEST_F(RecordFlow, FromLaunchToAnExportedTake) {
     EXPECT_EQ(export_page.results()->written(), 1);
     EXPECT_LE(clicks_, kMostClicks);
     std::printf("%d clicks from launch to an exported take of %.0f s\n", clicks_, recordedSeconds());
+}
+
+TEST_F(RecordFlow, AllScreensTellOneTimeForWhichThereIsRoom) {
+    ASSERT_TRUE(studio_->session().create(home() + "-room", "room"));
+    connectDirectly();
+    record();
+    const auto agree = [&] {
+        const auto left_s = studio_->suits().storageLeft_s();
+        if (!left_s)
+            return false;
+        const QString words = durationWords(*left_s);
+        const QLabel* on_connect = nullptr;
+        for (const QLabel* label : pageOf<ConnectPage>(Step::kConnect).readiness().findChildren<QLabel*>())
+            if (label->text() == words)
+                on_connect = label;
+        return on_connect && window_->statusLine().storageText().contains(words) &&
+               record().readiness().value(RecordReadiness::Fact::kStorage).contains(words);
+    };
+    window_->goTo(Step::kConnect);
+    window_->goTo(Step::kRecord);
+    EXPECT_TRUE(waitFor(agree)) << window_->statusLine().storageText().toStdString();
+    record().run().press();
+    ASSERT_TRUE(recordFor(0.5));
+    EXPECT_TRUE(waitFor(agree)) << window_->statusLine().storageText().toStdString();
+    record().run().stop();
+    EXPECT_TRUE(waitFor([&] { return !studio_->suits().isTakeOpen() && studio_->jobs().idle(); }));
 }
 
 TEST_F(RecordFlow, CtrlRRecordsFromAnywhereAndTheTopBarShowsIt) {

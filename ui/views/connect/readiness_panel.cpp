@@ -239,7 +239,7 @@ void ReadinessPanel::showNumbers() {
     if (const auto left_s = check.batteryLeft_s(); left_s && !battery.isEmpty())
         battery = tr("%1, %2", "charge, time left").arg(battery, durationWords(*left_s));
     numbers_->setValue(battery_, battery);
-    const auto storage_s = check.storageLeft_s();
+    const auto storage_s = capture_.suits().storageLeft_s();
     numbers_->setValue(storage_, storage_s ? durationWords(*storage_s) : QString());
     showCalibration();
 }

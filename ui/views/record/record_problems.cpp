@@ -35,10 +35,10 @@ std::vector<RecordProblems::Problem> RecordProblems::ofTake() const {
     const auto hello = studio_.suit().status()->hello;
     if (!recording || !hello)
         return problems;
-    if (recording->remaining_s && *recording->remaining_s < kWarnBefore_s)
+    if (const auto left_s = studio_.suits().storageLeft_s(); left_s && *left_s < kWarnBefore_s)
         problems.push_back(
             {Tone::kError,
-             tr("The disk has %1 left").arg(durationWords(std::max(0.0, *recording->remaining_s))),
+             tr("The disk has %1 left").arg(durationWords(*left_s)),
              tr("Recording stops by itself then, and the take is complete. Free some space, or choose "
                 "another folder."),
              -1,

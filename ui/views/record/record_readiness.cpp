@@ -25,9 +25,7 @@ namespace noctule::ui {
 namespace {
 
 constexpr qint64 kRateEvery_ms = 2000;
-/// The take will end by itself so soon that it should be said.
-constexpr double kLittleTime_s = 40;
-constexpr double kShortStorage_s = 600, kLowBattery_percent = 20;
+constexpr double kLowBattery_percent = 20;
 const QString kNotKnown = QChar(0x2013);
 
 Tone toneOfPart(qint64 part, qint64 whole) {
@@ -208,15 +206,12 @@ void RecordReadiness::showSupplies() {
     else
         setFact(Fact::kBattery, {});
     const auto recording = studio_.suit().recording();
-    const auto storage_s =
-        recording && recording->remaining_s ? recording->remaining_s : studio_.check().storageLeft_s();
+    const auto storage_s = studio_.suits().storageLeft_s();
     if (!storage_s)
         return setFact(Fact::kStorage, {});
     setFact(Fact::kStorage, tr("%1 left").arg(durationWords(std::max(0.0, *storage_s))),
             recording ? tr("%1 in this take").arg(bytesText(recording->sound_bytes)) : QString(),
-            *storage_s < kLittleTime_s     ? Tone::kError
-            : *storage_s < kShortStorage_s ? Tone::kWarn
-                                           : Tone::kOk);
+            toneOfStorage(*storage_s));
 }
 
 void RecordReadiness::showAir() {
