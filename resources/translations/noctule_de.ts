@@ -8231,6 +8231,10 @@ Median; gut: unter %1</translation>
         <source>Next performer</source>
         <translation>Nächster Darsteller</translation>
     </message>
+    <message>
+        <source>Delete contact</source>
+        <translation>Kontakt löschen</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::ReviewCenter</name>

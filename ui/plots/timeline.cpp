@@ -144,6 +144,8 @@ void Timeline::contactChosen() {
     if (bars_.hasChosen() && chosen_) {
         chosen_.reset();
         followChosenMarker();
+    } else {
+        emit chosenMarkerChanged();
     }
     showTime();
 }

@@ -35,8 +35,6 @@ public:
     QPoint rulerPoint(double t_s) const;
     QPoint flagPoint(double t_s) const;
     QPoint footPoint(int foot, double t_s) const;
-    /// F2 and Del on the chosen marker, Del on the chosen contact; false: not that key, or none is chosen.
-    bool editChosen(const QKeyEvent& event);
     ContactBars& contactBars() { return bars_; }
 
 public slots:
@@ -45,8 +43,11 @@ public slots:
     /// Opens a field for the chosen marker's name.
     void nameMarker();
     void deleteMarker();
+    /// The contact that is chosen, else the marker.
+    void deleteChosen();
 
 signals:
+    /// Or the chosen contact.
     void chosenMarkerChanged();
 
 protected:

@@ -95,12 +95,11 @@ void Timeline::deleteMarker() {
         review_.markers().remove(chosen_marker_);
 }
 
-bool Timeline::editChosen(const QKeyEvent& event) {
-    if (event.key() != Qt::Key_Delete || !bars_.hasChosen())
-        return editMarker(event);
+void Timeline::deleteChosen() {
+    if (!bars_.hasChosen())
+        return deleteMarker();
     bars_.removeChosen();
     contactChosen();
-    return true;
 }
 
 bool Timeline::editMarker(const QKeyEvent& event) {

@@ -3,11 +3,9 @@
 
 #include <QComboBox>
 #include <QHBoxLayout>
-#include <QKeyEvent>
 #include <array>
 #include <cmath>
 
-#include "ui/plots/time_keys.h"
 #include "ui/plots/timeline.h"
 #include "ui/style/theme.h"
 #include "ui/style/words.h"
@@ -177,34 +175,6 @@ void TransportBar::setOut() {
 
 void TransportBar::addMarker() {
     review_.markers().add(review_.time().time());
-}
-
-bool TransportBar::handleKey(const QKeyEvent& event) {
-    if (!review_.take().isOpen())
-        return false;
-    TimeCursor& time = review_.time();
-    const bool control = event.modifiers() & Qt::ControlModifier;
-    if (stepTime(time, event))
-        return true;
-    if (control && event.key() == Qt::Key_I)
-        setIn();
-    else if (control && event.key() == Qt::Key_O)
-        setOut();
-    else if (control && event.key() == Qt::Key_L)
-        time.setLoop(!time.loops());
-    else if (control)
-        return false;
-    else if (event.key() == Qt::Key_Space)
-        time.toggle();
-    else if (event.key() == Qt::Key_Comma)
-        timeline_.goToMarker(-1);
-    else if (event.key() == Qt::Key_Period)
-        timeline_.goToMarker(1);
-    else if (event.key() == Qt::Key_M)
-        addMarker();
-    else
-        return timeline_.editChosen(event);
-    return true;
 }
 
 }  // namespace noctule::ui

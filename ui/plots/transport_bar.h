@@ -21,11 +21,6 @@ class TransportBar : public QWidget {
 public:
     TransportBar(ReviewContext& review, Timeline& timeline, QWidget* parent = nullptr);
 
-    /// The keys of Review (Space, arrows, Home, End, comma, full stop, M, F2, Del, Ctrl+I, Ctrl+O, Ctrl+L).
-    /// The page calls it from its keyPressEvent, where only those arrive that no text field or list wanted
-    /// for itself. True: done.
-    bool handleKey(const QKeyEvent& event);
-
     QSize minimumSizeHint() const override;
 
 public slots:

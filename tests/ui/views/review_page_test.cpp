@@ -303,6 +303,54 @@ TEST_F(ReviewPageTest, KeysReachThePageFromItsDocks) {
     EXPECT_GT(studio_->time().time(), before_s + 0.9);
 }
 
+TEST_F(ReviewPageTest, EveryKeyOfTheMenuActsWhereverTheFocusIs) {
+    TimeCursor& time = studio_->time();
+    const auto key = [this](Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
+        QTest::keyClick(&page_->reportPanel(), key, modifiers);
+    };
+    key(Qt::Key_Space);
+    EXPECT_TRUE(time.isPlaying());
+    key(Qt::Key_Space);
+    EXPECT_FALSE(time.isPlaying());
+    time.setTime(0.5);
+    key(Qt::Key_I, Qt::ControlModifier);
+    EXPECT_DOUBLE_EQ(time.in(), 0.5);
+    time.setTime(1.5);
+    key(Qt::Key_O, Qt::ControlModifier);
+    EXPECT_DOUBLE_EQ(time.out(), 1.5);
+    key(Qt::Key_Home);
+    EXPECT_DOUBLE_EQ(time.time(), 0.5);
+    key(Qt::Key_End);
+    EXPECT_DOUBLE_EQ(time.time(), 1.5);
+    const bool looped = time.loops();
+    key(Qt::Key_L, Qt::ControlModifier);
+    EXPECT_NE(time.loops(), looped);
+    key(Qt::Key_M);
+    const auto markers = [this] { return studio_->take().overview()->markers.size(); };
+    ASSERT_TRUE(waitFor([&] { return markers() == 1 && jobsAreDone(); }));
+    time.setTime(0.7);
+    key(Qt::Key_Period);
+    EXPECT_NEAR(time.time(), 1.5, 1e-5);
+    key(Qt::Key_Comma);
+    EXPECT_NEAR(time.time(), 1.5, 1e-5) << "there is none before it";
+    key(Qt::Key_Delete);
+    EXPECT_TRUE(waitFor([&] { return markers() == 0 && jobsAreDone(); }));
+    for (const QAction* action : page_->menuActions())
+        for (const QAction* other : page_->menuActions())
+            if (action != other && !action->shortcut().isEmpty()) {
+                EXPECT_NE(action->shortcut(), other->shortcut()) << action->text().toStdString();
+            }
+}
+
+TEST_F(ReviewPageTest, KeysHeldWithOthersAreNotThoseOfTheMenu) {
+    const double before_s = studio_->time().time();
+    QTest::keyClick(&page_->reportPanel(), Qt::Key_Space, Qt::ShiftModifier);
+    QTest::keyClick(&page_->reportPanel(), Qt::Key_P, Qt::ShiftModifier);
+    QTest::keyClick(&page_->reportPanel(), Qt::Key_Right, Qt::AltModifier);
+    EXPECT_FALSE(studio_->time().isPlaying());
+    EXPECT_DOUBLE_EQ(studio_->time().time(), before_s);
+}
+
 TEST_F(ReviewPageTest, FullReportOpensInsideTheWindow) {
     page_->openFullReport();
     EXPECT_TRUE(page_->showsFullReport());

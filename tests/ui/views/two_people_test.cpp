@@ -101,8 +101,8 @@ TEST_F(TwoPeopleTest, TheOperatorChoosesWhoIsShown) {
     EXPECT_GT(of_bea->frames.back().pose->p_world_root.z(), 0);
     QTest::mouseClick(buttons[1], Qt::LeftButton);
     EXPECT_TRUE(buttons[1]->isChecked()) << "one is always shown";
-    PerformerSwitch::showNext(studio_->take());
-    EXPECT_TRUE(waitFor([this] { return studio_->take().subject() == 0; }));
+    QTest::keyClick(&page_->reportPanel(), Qt::Key_P, Qt::ShiftModifier);
+    EXPECT_TRUE(waitFor([this] { return studio_->take().subject() == 0; })) << "Shift+P shows the next";
     openTake("swing_001");
     EXPECT_FALSE(page_->center().performers().isVisible()) << "there is one performer only";
 }

@@ -3,30 +3,21 @@
 // the focus.
 #pragma once
 
-#include <QAction>
-#include <QKeyEvent>
-#include <QObject>
-#include <functional>
+#include "ui/views/page_actions.h"
 
 namespace noctule::ui {
 
 class RecordPage;
 
-class RecordActions : public QObject {
+class RecordActions : public PageActions {
     Q_OBJECT
 public:
     explicit RecordActions(RecordPage& page);
 
-    const QList<QAction*>& all() const { return all_; }
-    /// Whether a key that nothing else wanted was one of these.
-    bool handleKey(const QKeyEvent& event);
-
 private:
-    QAction* add(const QString& text, const QKeySequence& keys, std::function<void()> act);
     void refresh();
 
     RecordPage& page_;
-    QList<QAction*> all_;
     QAction *record_ = nullptr, *end_countdown_ = nullptr, *marker_ = nullptr, *note_ = nullptr;
 };
 

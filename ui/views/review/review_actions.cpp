@@ -14,7 +14,7 @@
 namespace noctule::ui {
 
 ReviewActions::ReviewActions(Studio& studio, ReviewPage& page)
-    : QObject(&page), studio_(studio), page_(page) {
+    : PageActions(page), studio_(studio), page_(page) {
     addPlayback();
     addSeparator();
     addRange();
@@ -28,22 +28,6 @@ ReviewActions::ReviewActions(Studio& studio, ReviewPage& page)
     connect(&studio.contacts(), &ContactEditor::changed, this, &ReviewActions::refresh);
     connect(&page.center().scenes(), &SceneArea::sideBySideChanged, this, &ReviewActions::refresh);
     refresh();
-}
-
-QAction* ReviewActions::add(const QString& text, const QKeySequence& keys, std::function<void()> act) {
-    auto* action = new QAction(text, this);
-    action->setShortcut(keys);
-    action->setShortcutContext(Qt::WidgetShortcut);
-    connect(action, &QAction::triggered, this, std::move(act));
-    page_.addAction(action);
-    all_ += action;
-    return action;
-}
-
-void ReviewActions::addSeparator() {
-    auto* separator = new QAction(this);
-    separator->setSeparator(true);
-    all_ += separator;
 }
 
 void ReviewActions::addPlayback() {
@@ -71,7 +55,7 @@ void ReviewActions::addRange() {
     add(tr("Marker here"), Qt::Key_M, [&transport] { transport.addMarker(); });
     Timeline& timeline = page_.center().timeline();
     name_marker_ = add(tr("Name marker"), Qt::Key_F2, [&timeline] { timeline.nameMarker(); });
-    delete_marker_ = add(tr("Delete marker"), Qt::Key_Delete, [&timeline] { timeline.deleteMarker(); });
+    delete_ = add(tr("Delete marker"), Qt::Key_Delete, [&timeline] { timeline.deleteChosen(); });
     add(tr("Foot contact here"), Qt::Key_Insert, [&timeline] { timeline.contactBars().addAtCursor(); });
     found_contacts_ = add(tr("Back to the contacts that were found"), {},
                           [&timeline] { timeline.contactBars().restoreFound(); });
@@ -91,10 +75,13 @@ void ReviewActions::addTake() {
 
 void ReviewActions::refresh() {
     const bool is_open = studio_.take().isOpen();
-    for (QAction* action : all_)
+    for (QAction* action : all())
         action->setEnabled(is_open);
-    for (QAction* action : {name_marker_, delete_marker_})
-        action->setEnabled(page_.center().timeline().canEditMarker());
+    Timeline& timeline = page_.center().timeline();
+    const bool has_contact = timeline.contactBars().hasChosen();
+    name_marker_->setEnabled(timeline.canEditMarker());
+    delete_->setEnabled(has_contact || timeline.canEditMarker());
+    delete_->setText(has_contact ? tr("Delete contact") : tr("Delete marker"));
     found_contacts_->setEnabled(studio_.contacts().areEdited());
     play_->setText(studio_.time().isPlaying() ? tr("Pause") : tr("Play"));
     loop_->setChecked(studio_.time().loops());

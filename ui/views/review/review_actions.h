@@ -1,37 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commands of Review for menus. Plain keys and those that mean something else on other pages act in
-// ReviewPage::keyPressEvent, after text fields and lists had their turn; here they are told only.
+// The commands of Review, for its menu and for the keyboard.
 #pragma once
 
-#include <QAction>
-#include <QList>
-#include <functional>
+#include "ui/views/page_actions.h"
 
 namespace noctule::ui {
 
 class ReviewPage;
 class Studio;
 
-class ReviewActions : public QObject {
+class ReviewActions : public PageActions {
     Q_OBJECT
 public:
     ReviewActions(Studio& studio, ReviewPage& page);
 
-    const QList<QAction*>& all() const { return all_; }
     void refresh();
 
 private:
-    QAction* add(const QString& text, const QKeySequence& keys, std::function<void()> act);
-    void addSeparator();
     void addPlayback();
     void addRange();
     void addTake();
 
     Studio& studio_;
     ReviewPage& page_;
-    QList<QAction*> all_;
     QAction *play_ = nullptr, *loop_ = nullptr, *next_performer_ = nullptr, *side_by_side_ = nullptr;
-    QAction *name_marker_ = nullptr, *delete_marker_ = nullptr, *found_contacts_ = nullptr;
+    QAction *name_marker_ = nullptr, *delete_ = nullptr, *found_contacts_ = nullptr;
 };
 
 }  // namespace noctule::ui

@@ -5,12 +5,10 @@
 #include <QScrollArea>
 #include <QStackedWidget>
 
-#include "ui/plots/transport_bar.h"
 #include "ui/views/job_progress.h"
 #include "ui/views/report/full_report.h"
 #include "ui/views/report/report_panel.h"
 #include "ui/views/report/report_view.h"
-#include "ui/views/review/performer_switch.h"
 #include "ui/views/review/reprocess_dialog.h"
 #include "ui/views/review/review_actions.h"
 #include "ui/views/review/review_center.h"
@@ -150,12 +148,7 @@ void ReviewPage::compareWithEarlier() {
 }
 
 bool ReviewPage::handleKey(const QKeyEvent& event) {
-    if (showsFullReport() || !studio_.take().isOpen())
-        return false;
-    if (event.key() != Qt::Key_P || event.modifiers() != Qt::ShiftModifier)
-        return center_->transport().handleKey(event);
-    PerformerSwitch::showNext(studio_.take());
-    return true;
+    return !showsFullReport() && actions_->handleKey(event);
 }
 
 void ReviewPage::keyPressEvent(QKeyEvent* event) {

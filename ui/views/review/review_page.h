@@ -53,7 +53,7 @@ protected:
     bool eventFilter(QObject* object, QEvent* event) override;
 
 private:
-    bool handleKey(const QKeyEvent& event);  ///< false: the key means nothing here
+    bool handleKey(const QKeyEvent& event);
     void refresh();
     void tellTitles();
     void compareWithEarlier();

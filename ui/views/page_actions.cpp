@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/views/page_actions.h"
+
+#include <QWidget>
+
+namespace noctule::ui {
+namespace {
+
+/// As shortcuts are written. On some keyboards a full stop is typed with Shift, which is no part of it then.
+QList<QKeySequence> sequencesOf(const QKeyEvent& event) {
+    const int modifiers = static_cast<int>(event.modifiers() & ~Qt::KeypadModifier);
+    QList<QKeySequence> sequences{QKeySequence(event.key() | modifiers)};
+    const QChar typed = event.text().isEmpty() ? QChar() : event.text().front();
+    if (typed.isPunct() || typed.isSymbol())
+        sequences += QKeySequence(event.key() | (modifiers & ~static_cast<int>(Qt::ShiftModifier)));
+    return sequences;
+}
+
+}  // namespace
+
+PageActions::PageActions(QWidget& page) : QObject(&page), page_(page) {}
+
+QAction* PageActions::add(const QString& text, const QKeySequence& keys, std::function<void()> act) {
+    auto* action = new QAction(text, this);
+    action->setShortcut(keys);
+    action->setShortcutContext(Qt::WidgetShortcut);
+    connect(action, &QAction::triggered, this, std::move(act));
+    page_.addAction(action);
+    all_ += action;
+    return action;
+}
+
+void PageActions::addSeparator() {
+    auto* separator = new QAction(this);
+    separator->setSeparator(true);
+    all_ += separator;
+}
+
+bool PageActions::handleKey(const QKeyEvent& event) {
+    const QList<QKeySequence> pressed = sequencesOf(event);
+    for (QAction* action : all_)
+        if (action->isEnabled() && !action->shortcut().isEmpty() && pressed.contains(action->shortcut())) {
+            if (!event.isAutoRepeat() || action->autoRepeat())
+                action->trigger();
+            return true;
+        }
+    return false;
+}
+
+}  // namespace noctule::ui
