@@ -738,10 +738,6 @@
         <translation>Warten: %1 noch in Bewegung</translation>
     </message>
     <message>
-        <source>Let the arms hang and breathe calmly. %1</source>
-        <translation>Die Arme hängen lassen und ruhig atmen. %1</translation>
-    </message>
-    <message>
         <source>Wait: board %1 still moves</source>
         <translation>Warten: Platine %1 bewegt sich noch</translation>
     </message>
@@ -932,10 +928,6 @@
         <translation>%1 lang still stehen</translation>
     </message>
     <message>
-        <source>In the rest pose: arms hanging, palms towards the body.</source>
-        <translation>In der Ruhehaltung: Arme hängen, Handflächen zum Körper.</translation>
-    </message>
-    <message>
         <source>Move now</source>
         <translation>Jetzt bewegen</translation>
     </message>
@@ -991,6 +983,14 @@
     <message>
         <source>Its numbers are in another unit than their heading says. Correct the heading (x_m or x_mm, distance_m or distance_mm), leave and choose the file again.</source>
         <translation>Ihre Zahlen haben eine andere Einheit, als ihre Überschrift sagt. Überschrift berichtigen (x_m oder x_mm, distance_m oder distance_mm), verlassen und die Datei neu wählen.</translation>
+    </message>
+    <message>
+        <source>Stay in the rest pose and breathe calmly. %1</source>
+        <translation>In der Ruhehaltung bleiben und ruhig atmen. %1</translation>
+    </message>
+    <message>
+        <source>In the rest pose: arms a little away from the body, elbows slightly bent, palms towards the body.</source>
+        <translation>In der Ruhehaltung: Arme etwas vom Körper weg, Ellbogen leicht gebeugt, Handflächen zum Körper.</translation>
     </message>
 </context>
 <context>
@@ -1728,10 +1728,6 @@
         <translation>Zwei Meter freier Boden</translation>
     </message>
     <message>
-        <source>Feet hip-wide and parallel, arms hanging, palms towards the body, eyes straight ahead.</source>
-        <translation>Füße hüftbreit und parallel, Arme hängend, Handflächen zum Körper, Blick geradeaus.</translation>
-    </message>
-    <message>
         <source>It begins by itself when the performer stands still.</source>
         <translation>Es beginnt von selbst, wenn der Darsteller still steht.</translation>
     </message>
@@ -1794,10 +1790,6 @@
     <message>
         <source>Two metres of free floor in all directions</source>
         <translation>Zwei Meter freier Boden nach allen Seiten</translation>
-    </message>
-    <message>
-        <source>Each exercise begins in the rest pose: arms hanging, palms towards the body, eyes straight ahead. Then move smoothly, as far as is comfortable, for 8 seconds.</source>
-        <translation>Jede Übung beginnt in der Ruhehaltung: Arme hängen, Handflächen zum Körper, Blick geradeaus. Dann 8 Sekunden lang fließend bewegen, so weit es angenehm ist.</translation>
     </message>
     <message>
         <source>One exercise after the other. The page sees when you stand and when you move.</source>
@@ -1958,6 +1950,14 @@
     <message>
         <source>Turn it slowly</source>
         <translation>Langsam drehen</translation>
+    </message>
+    <message>
+        <source>As in the drawing: feet hip-wide and parallel, arms hanging a little away from the body, elbows slightly bent, palms towards the body, eyes straight ahead.</source>
+        <translation>Wie in der Zeichnung: Füße hüftbreit und parallel, Arme etwas vom Körper weg hängend, Ellbogen leicht gebeugt, Handflächen zum Körper, Blick geradeaus.</translation>
+    </message>
+    <message>
+        <source>Each exercise begins in the rest pose, as in the drawing: arms hanging a little away from the body, elbows slightly bent, palms towards the body, eyes straight ahead. Then move smoothly, as far as is comfortable, for 8 seconds.</source>
+        <translation>Jede Übung beginnt in der Ruhehaltung wie in der Zeichnung: Arme hängen etwas vom Körper weg, Ellbogen leicht gebeugt, Handflächen zum Körper, Blick geradeaus. Dann 8 Sekunden lang fließend bewegen, so weit es angenehm ist.</translation>
     </message>
 </context>
 <context>

@@ -12,7 +12,6 @@ constexpr double kMargin_m = 0.03;
 constexpr double kRoomToReach =
     1.25;  // of the height: hands overhead, or from one to the other and a little more
 
-/// Arms half-way down and legs a little apart: nothing hides anything else.
 Pose openStance(const Skeleton& skeleton) {
     Pose pose = skeleton.zeroPose();
     const auto turn = [&](const char* joint, double angle_rad) {
@@ -43,8 +42,10 @@ Eigen::Vector3f skinned(const SkinnedVertex& vertex, const std::vector<Eigen::Ma
 
 }  // namespace
 
-BodyFigure::BodyFigure(const Actor& actor, const std::shared_ptr<const SkinnedMesh>& mesh)
-    : skeleton_(actor.skeleton), stance_(globalPose(actor.skeleton, openStance(actor.skeleton))) {
+BodyFigure::BodyFigure(const Actor& actor, const std::shared_ptr<const SkinnedMesh>& mesh, Stance stance)
+    : skeleton_(actor.skeleton),
+      stance_(globalPose(actor.skeleton,
+                         stance == Stance::kRest ? actor.restPose() : openStance(actor.skeleton))) {
     stand(actor, mesh);
 }
 
@@ -178,19 +179,24 @@ QPointF BodyFigure::source(const Source& source) const {
 }
 
 std::shared_ptr<const BodyFigure> BodyFigure::of(const Actor& actor,
-                                                 const std::shared_ptr<const SkinnedMesh>& mesh) {
-    static std::weak_ptr<const SkinnedMesh> last_mesh;
-    static std::vector<double> last_bones;
-    static std::shared_ptr<const BodyFigure> last;
-    std::vector<double> bones;
+                                                 const std::shared_ptr<const SkinnedMesh>& mesh,
+                                                 Stance stance) {
+    struct Last {
+        std::weak_ptr<const SkinnedMesh> mesh;
+        std::vector<double> body;
+        std::shared_ptr<const BodyFigure> figure;
+    };
+    static std::map<Stance, Last> of_stance;
+    Last& last = of_stance[stance];
+    std::vector<double> body;
     for (const Joint& joint : actor.skeleton.joints())
-        bones.insert(bones.end(), joint.offset_m.begin(), joint.offset_m.end());
-    if (!mesh || !last || last_mesh.lock() != mesh || last_bones != bones) {
-        last = std::make_shared<const BodyFigure>(actor, mesh);
-        last_mesh = mesh;
-        last_bones = std::move(bones);
-    }
-    return last;
+        body.insert(body.end(), joint.offset_m.begin(), joint.offset_m.end());
+    if (stance == Stance::kRest)
+        for (const Quaterniond& q : actor.rest_q_parent_joint)
+            body.insert(body.end(), q.coeffs().begin(), q.coeffs().end());
+    if (!mesh || !last.figure || last.mesh.lock() != mesh || last.body != body)
+        last = {mesh, std::move(body), std::make_shared<const BodyFigure>(actor, mesh, stance)};
+    return last.figure;
 }
 
 }  // namespace noctule::ui

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The performer as a flat figure seen from the front, every segment a surface of its own: the studio's body
-// mesh in an open stance, painted once per size and colour. Where boards and sources sit comes from the same
+// mesh in a stance, painted once per size and colour. Where boards and sources sit comes from the same
 // pose, so that drawing and suit cannot disagree.
 #pragma once
 
@@ -21,13 +21,19 @@ namespace noctule::ui {
 
 class BodyFigure {
 public:
-    /// In an open stance. Without a mesh the actor's capsules stand for the flesh.
-    BodyFigure(const Actor& actor, const std::shared_ptr<const SkinnedMesh>& mesh);
+    enum class Stance {
+        kOpen,  ///< arms half-way down, legs apart: nothing hides anything else
+        kRest,  ///< the rest pose that calibrations take for granted
+    };
+    /// Without a mesh the actor's capsules stand for the flesh.
+    BodyFigure(const Actor& actor, const std::shared_ptr<const SkinnedMesh>& mesh,
+               Stance stance = Stance::kOpen);
     /// In any pose, with room for raised arms, so that all poses of one body are drawn at one scale.
     BodyFigure(const Actor& actor, const std::shared_ptr<const SkinnedMesh>& mesh, const Pose& pose);
     /// The same one as last time for the same bones and mesh: what it has painted is not painted again.
     static std::shared_ptr<const BodyFigure> of(const Actor& actor,
-                                                const std::shared_ptr<const SkinnedMesh>& mesh);
+                                                const std::shared_ptr<const SkinnedMesh>& mesh,
+                                                Stance stance = Stance::kOpen);
 
     /// Metres in the front view: x to the right of the picture (the performer's left), y up from the floor.
     QPointF board(const Board& board) const;

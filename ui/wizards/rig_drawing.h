@@ -37,6 +37,8 @@ public:
     void setPicture(const RigPicture& picture);
     /// For kStand: boards are dots on the figure, in the colours of their marks.
     void setBody(std::shared_ptr<const BodyFigure> figure, const Suit& suit);
+    /// Null: none yet.
+    const BodyFigure* figure() const { return figure_.get(); }
     /// For those who do not see the drawing.
     void setDescription(const QString& words);
 

@@ -88,7 +88,9 @@ void WizardIntro::setRun(WizardRun* run) {
     const size_t boards = suit.boards.empty() ? 18 : suit.boards.size();
     picture.boards.assign(boards, BoardMark::kWaiting);
     if (!suit.boards.empty())
-        drawing_->setBody(BodyFigure::of(capture_.suit().actor(), capture_.shared().body()), suit);
+        drawing_->setBody(
+            BodyFigure::of(capture_.suit().actor(), capture_.shared().body(), BodyFigure::Stance::kRest),
+            suit);
     drawing_->setPicture(picture);
     drawing_->setDescription(words.set_up);
     const bool turns = run->task() == WizardTask::kMagnetometers;

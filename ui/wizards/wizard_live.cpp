@@ -118,8 +118,9 @@ void WizardLive::dress() {
     const std::optional<int> frame = exerciseFrame();
     if (dressed_for_ == frame.value_or(-1))
         return;
-    drawing_->setBody(frame ? exercises_.figure(*frame, suit.actor(), capture_.shared().body())
-                            : BodyFigure::of(suit.actor(), capture_.shared().body()),
+    drawing_->setBody(frame
+                          ? exercises_.figure(*frame, suit.actor(), capture_.shared().body())
+                          : BodyFigure::of(suit.actor(), capture_.shared().body(), BodyFigure::Stance::kRest),
                       suit.suit());
     dressed_for_ = frame.value_or(-1);
 }

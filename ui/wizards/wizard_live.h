@@ -41,7 +41,7 @@ private:
     WizardRun* run_ = nullptr;
     Label *step_, *so_far_, *instruction_;
     RigDrawing* drawing_;
-    /// What the drawing shows: -1 the open stance, else an exercise's frame; absent: nothing yet.
+    /// What the drawing shows: -1 the rest pose, else an exercise's frame; absent: nothing yet.
     std::optional<int> dressed_for_;
     ExerciseFigures exercises_;
     ToneCard* card_ = nullptr;

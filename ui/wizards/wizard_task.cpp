@@ -120,7 +120,8 @@ WizardWords restPose() {
             {TaskText::tr("The performer with the suit on, all straps tight"),
              TaskText::tr("Two metres of free floor")},
             TaskText::tr(
-                "Feet hip-wide and parallel, arms hanging, palms towards the body, eyes straight ahead."),
+                "As in the drawing: feet hip-wide and parallel, arms hanging a little away from the body, "
+                "elbows slightly bent, palms towards the body, eyes straight ahead."),
             TaskText::tr("It begins by itself when the performer stands still."),
             TaskText::tr("Stand in the rest pose")};
 }
@@ -133,8 +134,9 @@ WizardWords movement() {
         TaskText::tr("Six exercises, about 2 minutes; after the rest pose, each time the suit is put on"),
         {TaskText::tr("The performer with the suit on, all straps tight, the rest pose calibrated"),
          TaskText::tr("Two metres of free floor in all directions")},
-        TaskText::tr("Each exercise begins in the rest pose: arms hanging, palms towards the body, eyes "
-                     "straight ahead. Then move smoothly, as far as is comfortable, for 8 seconds."),
+        TaskText::tr("Each exercise begins in the rest pose, as in the drawing: arms hanging a little away "
+                     "from the body, elbows slightly bent, palms towards the body, eyes straight ahead. Then "
+                     "move smoothly, as far as is comfortable, for 8 seconds."),
         TaskText::tr("One exercise after the other. The page sees when you stand and when you move."),
         TaskText::tr("Stand ready in the rest pose")};
 }
@@ -165,7 +167,8 @@ WizardWords check() {
             TaskText::tr("Stand still for 3 seconds; before each take that matters"),
             {TaskText::tr("The performer with the suit on, and a calibration in force")},
             TaskText::tr(
-                "Feet hip-wide and parallel, arms hanging, palms towards the body, eyes straight ahead."),
+                "As in the drawing: feet hip-wide and parallel, arms hanging a little away from the body, "
+                "elbows slightly bent, palms towards the body, eyes straight ahead."),
             TaskText::tr("It begins by itself when the performer stands still."),
             TaskText::tr("Stand still for three seconds")};
 }

@@ -48,7 +48,7 @@ LiveSentence ofMoving(const WizardRun& run, const QString& board, const QString&
     const QString others = movingOthers(now);
     if (isWorn(run.task()))
         return {Tone::kNeutral, LiveText::tr("Wait: %1 still moves").arg(place),
-                LiveText::tr("Let the arms hang and breathe calmly. %1").arg(others)};
+                LiveText::tr("Stay in the rest pose and breathe calmly. %1").arg(others)};
     return {Tone::kNeutral, LiveText::tr("Wait: board %1 still moves").arg(board),
             LiveText::tr("Let go of it and wait until it lies still. %1").arg(others)};
 }
@@ -137,7 +137,9 @@ LiveSentence ofAll(const WizardRun& run, const Guidance& now) {
         case Hindrance::kStand:
             return {Tone::kNeutral,
                     LiveText::tr("Stand still for %1").arg(secondsText(std::ceil(now.value), 0)),
-                    LiveText::tr("In the rest pose: arms hanging, palms towards the body.")};
+                    LiveText::tr(
+                        "In the rest pose: arms a little away from the body, elbows slightly bent, palms "
+                        "towards the body.")};
         case Hindrance::kMove:
             return {Tone::kOk, LiveText::tr("Move now"),
                     LiveText::tr("Smoothly and as far as is comfortable, until the ring is full.")};

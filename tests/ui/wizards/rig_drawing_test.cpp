@@ -9,10 +9,12 @@
 #include <QTest>
 #include <array>
 
+#include "core/math/rotation.h"
 #include "core/mesh/import/glb_reader.h"
 #include "core/suit/default_suit.h"
 #include "ui/style/theme.h"
 #include "ui/wizards/rig_geometry.h"
+#include "ui/wizards/wizard_task.h"
 
 namespace noctule::ui {
 namespace {
@@ -125,6 +127,31 @@ TEST_F(RigDrawingTest, EveryMarkLooksDifferent) {
                 EXPECT_NE(seen[other], seen.back()) << static_cast<int>(kind) << " " << other;
         }
     }
+}
+
+TEST_F(RigDrawingTest, TheFigureStandsAsTheSolverTakesForGranted) {
+    const Actor actor = defaultActor();
+    const GlobalPose rest = globalPose(actor.skeleton, actor.restPose());
+    const auto drawn = BodyFigure::of(actor, nullptr, BodyFigure::Stance::kRest);
+    const auto placeOf = [&](const char* segment) {
+        Board board;
+        board.segment = segment;
+        return drawn->board(board);
+    };
+    for (const char* segment : {"LeftHand", "RightForeArm", "LeftFoot"}) {
+        const Vector3d expected_m = rest.p_world_joint[static_cast<size_t>(actor.skeleton.find(segment))] -
+                                    rest.p_world_joint[static_cast<size_t>(actor.skeleton.find("Head"))];
+        EXPECT_NEAR(placeOf(segment).x() - placeOf("Head").x(), expected_m.x(), 1e-9) << segment;
+        EXPECT_NEAR(placeOf(segment).y() - placeOf("Head").y(), expected_m.y(), 1e-9) << segment;
+    }
+    const Quaterniond& elbow =
+        actor.rest_q_parent_joint[static_cast<size_t>(actor.skeleton.find("LeftForeArm"))];
+    EXPECT_GT(angleBetween(elbow, Quaterniond::Identity()), radians(10));
+    for (const WizardTask task : {WizardTask::kRestPose, WizardTask::kMovement, WizardTask::kCheck}) {
+        EXPECT_TRUE(wordsOf(task).set_up.contains("elbows slightly bent")) << "the words say what it shows";
+        EXPECT_TRUE(wordsOf(task).set_up.contains("a little away from the body"));
+    }
+    EXPECT_NE(BodyFigure::of(actor, nullptr), drawn) << "maps of boards keep the open stance";
 }
 
 /// The drawing in the middle of a larger picture: painter and widget do not clip.

@@ -6,6 +6,7 @@
 
 #include "core/formats/bvh.h"
 #include "tests/support/guided_motion.h"
+#include "ui/wizards/rig_drawing.h"
 
 namespace noctule::ui {
 namespace {
@@ -51,6 +52,18 @@ TEST_F(WizardFlow, Gyroscopes) {
 TEST_F(WizardFlow, RestPose) {
     connectRig({"--rig", "rest"});
     open(WizardTask::kRestPose);
+    const auto hand_m = [](const BodyFigure& figure) {
+        Board hand;
+        hand.segment = "LeftHand";
+        return figure.board(hand);
+    };
+    const BodyFigure rest(studio_->suit().actor(), studio_->body(), BodyFigure::Stance::kRest);
+    for (QWidget* page :
+         {static_cast<QWidget*>(&page_->wizard().intro()), static_cast<QWidget*>(&page_->wizard().live())}) {
+        const BodyFigure* shown = page->findChild<RigDrawing*>()->figure();
+        ASSERT_TRUE(shown);
+        EXPECT_NEAR(hand_m(*shown).x(), hand_m(rest).x(), 1e-6) << "as the solver takes for granted";
+    }
     ASSERT_TRUE(reach(Phase::kResult)) << heard();
     EXPECT_NE(run().result()->grade(), Grade::kUnknown);
     save();
