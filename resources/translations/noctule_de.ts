@@ -2664,6 +2664,10 @@
         <source>The virtual suit says by itself how it measures and how it sits on the body. Calibrating it is for practice only.</source>
         <translation>Der virtuelle Anzug sagt selbst, wie er misst und wie er am Körper sitzt. Ihn zu kalibrieren dient nur der Übung.</translation>
     </message>
+    <message>
+        <source>Finish or leave this calibration, then choose another suit.</source>
+        <translation>Diese Kalibrierung beenden oder verlassen, dann einen anderen Anzug wählen.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::CalibrationShelf</name>

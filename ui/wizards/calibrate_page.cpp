@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "ui/style/words.h"
+#include "ui/views/connect/suit_switch.h"
 #include "ui/views/fit_words.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
@@ -30,13 +31,17 @@ namespace noctule::ui {
 CalibratePage::CalibratePage(Studio& studio, QWidget* parent)
     : Page(parent),
       studio_(studio),
+      suits_(new SuitSwitch(studio)),
+      of_suit_(makeSuits()),
       centre_(new QStackedWidget),
       left_(new QStackedWidget(this)),
       right_(new QStackedWidget(this)),
       wizard_(new WizardPage(studio)),
       room_(new RoomPage(studio)),
       overview_(nullptr) {
-    makeColumn(this)->addWidget(centre_);
+    auto* column = makeColumn(this);
+    column->addWidget(of_suit_);
+    column->addWidget(centre_, 1);
     overview_ = makeOverview();
     centre_->addWidget(overview_);
     centre_->addWidget(wizard_);
@@ -91,6 +96,19 @@ bool CalibratePage::showsWizard() const {
 
 Button* CalibratePage::startButton(WizardTask task) {
     return cards_.at(task)->button();
+}
+
+QWidget* CalibratePage::makeSuits() {
+    auto* of_suit = new QWidget;
+    makeColumn(of_suit)->addWidget(suits_);
+    suits_->setGuard([this] { return whyNotOtherSuit(); });
+    return of_suit;
+}
+
+/// What was taken of one suit would be lost.
+QString CalibratePage::whyNotOtherSuit() {
+    const bool has_begun = showsWizard() && wizard_->run()->phase() != WizardRun::Phase::kIntro;
+    return has_begun ? tr("Finish or leave this calibration, then choose another suit.") : QString();
 }
 
 QWidget* CalibratePage::makeOverview() {
@@ -235,6 +253,7 @@ void CalibratePage::checkBeforeTake() {
 }
 
 void CalibratePage::open(WizardTask task) {
+    of_suit_->show();
     session_ = sessionNow();
     back_to_record_ = false;
     wizard_->setWayBack(tr("Back to Calibrate"));
@@ -247,6 +266,7 @@ void CalibratePage::open(WizardTask task) {
 }
 
 void CalibratePage::openRoom() {
+    of_suit_->hide();  // the room is of a take
     centre_->setCurrentWidget(room_);
     right_->setCurrentWidget(room_->side());
     left_->setCurrentIndex(0);
@@ -256,6 +276,7 @@ void CalibratePage::openRoom() {
 }
 
 void CalibratePage::showOverview() {
+    of_suit_->show();
     centre_->setCurrentWidget(overview_);
     right_->setCurrentIndex(0);
     left_->setCurrentIndex(0);

@@ -18,6 +18,7 @@ namespace noctule::ui {
 class Button;
 class ProblemCard;
 class RoomPage;
+class SuitSwitch;
 class TaskCard;
 class VerdictHeader;
 class WizardPage;
@@ -46,6 +47,8 @@ public:
     /// Of the room; hidden where there are no anchors.
     TaskCard* roomCard() { return room_card_; }
     bool showsWizard() const;
+    /// Whose calibration is shown, where several suits are connected.
+    SuitSwitch& suits() { return *suits_; }
     Button* startButton(WizardTask task);
     Button* wayOn() { return way_on_; }
     Button* importButton() { return import_; }
@@ -62,6 +65,8 @@ protected:
     bool eventFilter(QObject* object, QEvent* event) override;
 
 private:
+    QWidget* makeSuits();
+    QString whyNotOtherSuit();
     QWidget* makeOverview();
     QWidget* makeOverviewSide();
     QWidget* makeHistory();
@@ -77,6 +82,8 @@ private:
     void chooseExport();
 
     Studio& studio_;
+    SuitSwitch* suits_;
+    QWidget* of_suit_;  ///< holds it
     QStackedWidget *centre_, *left_, *right_;
     WizardPage* wizard_;
     RoomPage* room_;

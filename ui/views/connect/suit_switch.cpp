@@ -6,12 +6,20 @@ namespace noctule::ui {
 SuitSwitch::SuitSwitch(CaptureContext& capture, QWidget* parent)
     : PerformerButtons(tr("Shown"), parent), capture_(capture) {
     connect(&capture.suits(), &LiveSuits::changed, this, &SuitSwitch::refresh);
-    connect(this, &PerformerButtons::chosen, this, [this](int index) {
-        const auto suits = capture_.suits().connected();
-        if (index < static_cast<int>(suits.size()))
-            capture_.suits().setCurrent(*suits[static_cast<size_t>(index)]);
-    });
+    connect(this, &PerformerButtons::chosen, this, &SuitSwitch::choose);
     refresh();
+}
+
+void SuitSwitch::choose(int index) {
+    const auto suits = capture_.suits().connected();
+    if (index >= static_cast<int>(suits.size()))
+        return;
+    SuitInUse& wanted = *suits[static_cast<size_t>(index)];
+    if (&wanted == &capture_.suits().current())
+        return;
+    if (const QString why = why_not_ ? why_not_() : QString(); !why.isEmpty())
+        return capture_.shared().say(why);
+    capture_.suits().setCurrent(wanted);
 }
 
 void SuitSwitch::refresh() {

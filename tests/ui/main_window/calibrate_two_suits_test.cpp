@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Step Calibrate with two suits, each a box that plays the tiny take over TCP.
+#include <QSignalSpy>
+#include <QToolButton>
+
+#include "tests/devices/support/test_box.h"
+#include "tests/ui/main_window/studio_fixture.h"
+#include "ui/views/connect/suit_switch.h"
+#include "ui/widgets/button.h"
+#include "ui/wizards/calibrate_page.h"
+#include "ui/wizards/wizard_page.h"
+
+namespace noctule::ui {
+namespace {
+
+using noctule::test::TestBox;
+
+class CalibrateTwoSuits : public test::StudioWindow {
+protected:
+    void SetUp() override {
+        StudioWindow::SetUp();
+        ASSERT_TRUE(studio_->session().create(home() + "-duo", "duo"));
+        for (TestBox* box : {&ann_, &bob_}) {
+            studio_->suits().add(QString::fromStdString(box->address()));
+            ASSERT_TRUE(waitFor([&] { return studio_->suit().phase() == LiveSuit::Phase::kLooking; }));
+        }
+        window_->goTo(Step::kCalibrate);
+    }
+    CalibratePage& page() { return dynamic_cast<CalibratePage&>(window_->page(Step::kCalibrate)); }
+    QToolButton& performer(size_t index) { return *page().suits().buttons().at(index); }
+
+    TestBox ann_{{.loops = true, .serial = "NB-000001", .drive_hz = 40000}},
+        bob_{{.loops = true, .serial = "NB-000002", .drive_hz = 48000}};
+};
+
+TEST_F(CalibrateTwoSuits, ItSaysWhoseCalibrationIsShownAndShowsTheOthers) {
+    ASSERT_EQ(page().suits().buttons().size(), 2u);
+    EXPECT_TRUE(page().suits().isVisible());
+    EXPECT_EQ(performer(1).text(), "Performer 2");
+    EXPECT_FALSE(performer(1).icon().isNull()) << "letter and colour";
+    EXPECT_TRUE(performer(1).isChecked()) << "the one that came last is looked at";
+    performer(0).click();
+    EXPECT_EQ(&studio_->suits().current(), studio_->suits().connected()[0]);
+    EXPECT_TRUE(performer(0).isChecked());
+    page().openRoom();
+    EXPECT_FALSE(page().suits().isVisible()) << "the room is of a take";
+    studio_->suits().connected()[1]->suit.disconnectSuit();
+    EXPECT_TRUE(page().suits().isHidden()) << "there is one only";
+}
+
+TEST_F(CalibrateTwoSuits, WhatAWizardHasTakenIsNotLostByLookingAtTheOther) {
+    page().open(WizardTask::kAccelerometers);
+    EXPECT_TRUE(page().suits().isVisible()) << "in a wizard, too";
+    page().wizard().run()->begin();
+    ASSERT_EQ(page().wizard().run()->phase(), WizardRun::Phase::kGuiding);
+    QSignalSpy said(studio_.get(), &Studio::said);
+    performer(0).click();
+    EXPECT_EQ(&studio_->suits().current(), studio_->suits().connected()[1]);
+    EXPECT_EQ(page().wizard().run()->phase(), WizardRun::Phase::kGuiding);
+    ASSERT_EQ(said.count(), 1);
+    EXPECT_TRUE(said[0][0].toString().contains("Finish or leave this calibration"));
+    page().closeWizard();
+    performer(0).click();
+    EXPECT_EQ(&studio_->suits().current(), studio_->suits().connected()[0]);
+}
+
+}  // namespace
+}  // namespace noctule::ui
