@@ -93,10 +93,11 @@ private:
     void onSessionOpened();
     void onTakeOpened();
     void showSuit();
-    void onFailure(const QString& what, const QString& remedy);
-    void onSessionFailure(const QString& message);
-    void onWarning(const QString& message);
-    void forgetNotices();
+    void connectNotices();
+    void onFailure(const QString& what, const QString& remedy, About about);
+    void onMessage(const QString& message, About about);
+    void onWarning(const QString& message, About about);
+    void forget(About about);
     bool mayClose();
     void connectSuit();
     RecordRun& recordRun();
@@ -120,12 +121,12 @@ private:
     QStackedWidget* stack_;
     StatusLine* status_;
     JobsPanel* jobs_panel_;
-    HelpWindow* help_ = nullptr;      ///< once it was asked for
-    QString folder_;                  ///< of the session that was open last
-    QStringList of_session_;          ///< topics of notices that are about what is open
-    bool closes_after_take_ = false;  ///< everything has been asked
-    bool asks_nothing_ = false;       ///< nobody may be there to answer
-    QString recovery_wanted_;         ///< path of a take whose session is being opened
+    HelpWindow* help_ = nullptr;         ///< once it was asked for
+    QString folder_;                     ///< of the session that was open last
+    std::map<About, QStringList> told_;  ///< topics of notices
+    bool closes_after_take_ = false;     ///< everything has been asked
+    bool asks_nothing_ = false;          ///< nobody may be there to answer
+    QString recovery_wanted_;            ///< path of a take whose session is being opened
 };
 
 }  // namespace noctule::ui

@@ -92,9 +92,9 @@ void MainWindow::saveDiagnosis() {
     const LogFile& log = studio_.parts().log ? *studio_.parts().log : nowhere;
     const QByteArray text = diagnosisText(studio_, log).toUtf8();
     if (const Status saved = writeFileAtomically(path.toStdString(), text.toStdString(), true); !saved)
-        return onFailure(coreWords(saved.error().message), coreWords(saved.error().remedy));
-    studio_.say(tr("%1 is written. It holds no names and no folders; read it before you pass it on.")
-                    .arg(QFileInfo(path).fileName()));
+        return onFailure(coreWords(saved.error().message), coreWords(saved.error().remedy), About::kFile);
+    studio_.sayOfFile(tr("%1 is written. It holds no names and no folders; read it before you pass it on.")
+                          .arg(QFileInfo(path).fileName()));
 }
 
 void MainWindow::connectSteps() {

@@ -65,19 +65,30 @@ void MainWindow::connectStudio() {
     connect(&studio_.session(), &SessionModel::opened, this, &MainWindow::onSessionOpened);
     connect(&studio_.session(), &SessionModel::changed, this, &MainWindow::refreshTitle);
     connect(&studio_.session(), &SessionModel::takeAdded, this, [this] { goTo(Step::kReview); });
-    connect(&studio_.session(), &SessionModel::failed, this, &MainWindow::onSessionFailure);
     const auto forgetWanted = [this] { recovery_wanted_.clear(); };
     connect(&studio_.session(), &SessionModel::failed, this, forgetWanted);
     connect(&studio_.session(), &SessionModel::damaged, this, forgetWanted);
     connect(&studio_.take(), &TakeDocument::opened, this, &MainWindow::onTakeOpened);
-    connect(&studio_.take(), &TakeDocument::failed, this, &MainWindow::onSessionFailure);
-    connect(&studio_, &Studio::failed, this, &MainWindow::onFailure);
-    connect(&studio_, &Studio::warned, this, &MainWindow::onWarning);
+    connectNotices();
     studio_.suits().follow(&SuitCheck::changed, this, &MainWindow::showSuit);
     connect(&studio_.suits(), &LiveSuits::changed, this, &MainWindow::showSuit);
     showSuit();
     for (const Command command : {Command::kBody, Command::kShowFolder, Command::kCloseSession})
         (*actions_)[command]->setEnabled(studio_.session().isOpen());
+}
+
+/// What failed is told until it is tried anew, succeeds, or another one is there.
+void MainWindow::connectNotices() {
+    SessionModel& session = studio_.session();
+    connect(&session, &SessionModel::failed, this,
+            [this](const QString& message) { onMessage(message, About::kSession); });
+    connect(&session, &SessionModel::savedAgain, this,
+            [this](const QString& message) { notices_->remove(firstSentence(message)); });
+    connect(&studio_.take(), &TakeDocument::failed, this,
+            [this](const QString& message) { onMessage(message, About::kTake); });
+    connect(&studio_, &Studio::failed, this, &MainWindow::onFailure);
+    connect(&studio_, &Studio::warned, this, &MainWindow::onWarning);
+    connect(&studio_, &Studio::settled, this, &MainWindow::forget);
 }
 
 void MainWindow::showSuit() {
@@ -107,15 +118,17 @@ void MainWindow::open(const QString& path) {
     if (file.exists() && isRecording(path)) {
         importRecording({path});
     } else if (!file.exists()) {
-        onFailure(tr("%1 is not there").arg(QDir::toNativeSeparators(path)),
-                  tr("It may have been moved, or its disk is not connected."));
+        emit studio_.failed(tr("%1 is not there").arg(QDir::toNativeSeparators(path)),
+                            tr("It may have been moved, or its disk is not connected."), About::kFile);
     } else if (file.isDir()) {
         if (SessionCommands::canBeOpened(path))
             studio_.session().open(path);
         else
-            onFailure(tr("%1 holds no session").arg(file.fileName()),
-                      tr("A session is a folder with a session.json in it. Choose that folder, or make a new "
-                         "session."));
+            emit studio_.failed(
+                tr("%1 holds no session").arg(file.fileName()),
+                tr("A session is a folder with a session.json in it. Choose that folder, or make a new "
+                   "session."),
+                About::kFile);
     } else if (isMotion(path)) {
         importMotion(path);
     } else if (file.fileName() == "session.json") {
@@ -160,7 +173,9 @@ void MainWindow::onSessionOpened() {
     const bool open = session.isOpen();
     if (const QString now = open ? QString::fromStdString(session.session().folder.string()) : QString();
         now != std::exchange(folder_, now))
-        forgetNotices();
+        for (const About about :
+             {About::kSession, About::kCapture, About::kSuit, About::kTake, About::kProcess, About::kFile})
+            forget(about);
     for (const Command command : {Command::kBody, Command::kShowFolder, Command::kCloseSession})
         (*actions_)[command]->setEnabled(open);
     if (!open) {
@@ -196,24 +211,25 @@ void MainWindow::onTakeOpened() {
          [this, path = take.path()] { SessionCommands::import(this, studio_, {path}); }, kLooseTake});
 }
 
-/// What was said of one session says nothing of the next.
-void MainWindow::forgetNotices() {
-    for (const QString& topic : std::exchange(of_session_, {}))
+void MainWindow::forget(About about) {
+    for (const QString& topic : std::exchange(told_[about], {}))
         notices_->remove(topic);
 }
 
-void MainWindow::onFailure(const QString& what, const QString& remedy) {
-    of_session_ += what;
+void MainWindow::onFailure(const QString& what, const QString& remedy, About about) {
+    if (about == About::kFile)
+        forget(about);  // of files the latest counts
+    told_[about] += what;
     notices_->add({Tone::kError, what, remedy, {}, {}, {}});
 }
 
 /// The model words the whole: what happened, what is safe, what to do; its first sentence becomes the title.
-void MainWindow::onSessionFailure(const QString& message) {
-    onFailure(firstSentence(message), otherSentences(message));
+void MainWindow::onMessage(const QString& message, About about) {
+    onFailure(firstSentence(message), otherSentences(message), about);
 }
 
-void MainWindow::onWarning(const QString& message) {
-    of_session_ += firstSentence(message);
+void MainWindow::onWarning(const QString& message, About about) {
+    told_[about] += firstSentence(message);
     notices_->add({Tone::kWarn, firstSentence(message), otherSentences(message), {}, {}, {}});
 }
 

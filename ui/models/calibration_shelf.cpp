@@ -171,6 +171,7 @@ void CalibrationShelf::hand() {
     if (handed_ && *handed_ == path)
         return;
     handed_ = path;
+    emit replaced();
     remembered_.reset();
     newer_ = found->calibration;
     if (const auto kept = memory_.latest(serial()); !kept || !takeNewerParts(*newer_, *kept))

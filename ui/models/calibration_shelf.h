@@ -67,6 +67,8 @@ signals:
     void told(const QString& what);
     /// Nothing failed, but it should be known: whole sentences.
     void warned(const QString& what);
+    /// Another calibration of the session is given to the suit; what warned() said of the one before is over.
+    void replaced();
 
 private:
     void keepMeasures(const Actor& actor, const QString& what);

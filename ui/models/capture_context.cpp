@@ -3,6 +3,7 @@
 
 #include <QDir>
 #include <QStandardPaths>
+#include <algorithm>
 
 namespace noctule::ui {
 namespace {
@@ -27,6 +28,7 @@ CaptureContext::CaptureContext(SharedContext& shared)
       virtual_suit_(shared.jobs(), virtualSuitParts(shared.parts())),
       second_virtual_suit_(shared.jobs(), virtualSuitParts(shared.parts())),
       remote_start_(shared.settings()) {
+    looked_at_ = &suits_.current();
     connectSuits();
     connectVirtualSuits();
 }
@@ -37,12 +39,19 @@ QString CaptureContext::suitsFolder() const {
 }
 
 void CaptureContext::connectSuits() {
-    QObject::connect(&suits_, &LiveSuits::failed, &shared_, &SharedContext::failed);
-    QObject::connect(&suits_, &LiveSuits::warned, &shared_, &SharedContext::warned);
+    QObject::connect(&suits_, &LiveSuits::failed, &here_, [this](const QString& what, const QString& remedy) {
+        emit shared_.failed(what, remedy, About::kCapture);
+    });
+    QObject::connect(&suits_, &LiveSuits::warned, &here_,
+                     [this](const QString& what) { emit shared_.warned(what, About::kCapture); });
+    QObject::connect(&suits_, &LiveSuits::currentChanged, &here_, [this] { followChoice(); });
     suits_.forEach(&here_, [this](SuitInUse& worn) {
         QObject::connect(&worn.suit, &LiveSuit::phaseChanged, &here_, [this, &worn] { followSuit(worn); });
         CalibrationShelf& shelf = worn.calibrations;
-        QObject::connect(&shelf, &CalibrationShelf::warned, &shared_, &SharedContext::warned);
+        QObject::connect(&shelf, &CalibrationShelf::warned, &here_,
+                         [this](const QString& what) { emit shared_.warned(what, About::kSuit); });
+        QObject::connect(&shelf, &CalibrationShelf::replaced, &here_,
+                         [this] { emit shared_.settled(About::kSuit); });
         QObject::connect(&shelf, &CalibrationShelf::told, &shared_, &SharedContext::said);
         QObject::connect(&shelf, &CalibrationShelf::changed, &here_,
                          [this, &worn] { suits_.setChecked(worn, {}); });
@@ -56,8 +65,11 @@ void CaptureContext::connectSuits() {
 }
 
 void CaptureContext::connectVirtualSuits() {
-    QObject::connect(&virtual_suit_, &VirtualSuit::failed, &shared_, &SharedContext::failed);
-    QObject::connect(&second_virtual_suit_, &VirtualSuit::failed, &shared_, &SharedContext::failed);
+    for (VirtualSuit* suit : {&virtual_suit_, &second_virtual_suit_})
+        QObject::connect(suit, &VirtualSuit::failed, &here_,
+                         [this](const QString& what, const QString& remedy) {
+                             emit shared_.failed(what, remedy, About::kCapture);
+                         });
     QObject::connect(&virtual_suit_, &VirtualSuit::started, &here_, [this] {
         if (virtual_suit_.role() == VirtualSuit::Role::kAlone && !suits_.areSeveral())
             return suit().connectTo(virtual_suit_.address(), virtual_suit_.known());
@@ -92,7 +104,7 @@ void CaptureContext::startVirtualSuit() {
 void CaptureContext::startSecondVirtualSuit() {
     if (suits_.isTakeOpen()) {
         emit shared_.failed(tr("A take is being recorded"),
-                            tr("Start the second virtual suit when it has ended"));
+                            tr("Start the second virtual suit when it has ended"), About::kCapture);
         return;
     }
     if (second_virtual_suit_.state() != VirtualSuit::State::kOn)
@@ -120,7 +132,26 @@ void CaptureContext::setChecked(const std::optional<CheckedSuit>& checked) {
     suits_.setChecked(suits_.current(), checked);
 }
 
+/// A suit is connected, or a take begins: what went wrong before is over. What was told of the only suit was
+/// of the one before it.
+void CaptureContext::settleCapture(const SuitInUse& worn) {
+    const LiveSuit::Phase phase = worn.suit.phase();
+    if (phase == LiveSuit::Phase::kConnecting || phase == LiveSuit::Phase::kStarting)
+        emit shared_.settled(About::kCapture);
+    if (phase == LiveSuit::Phase::kConnecting && !suits_.areSeveral())
+        emit shared_.settled(About::kSuit);
+}
+
+/// The operator looks at another suit; when one has gone, another is looked at by itself.
+void CaptureContext::followChoice() {
+    const auto connected = suits_.connected();
+    if (std::ranges::find(connected, looked_at_) != connected.end())
+        emit shared_.settled(About::kCapture);
+    looked_at_ = &suits_.current();
+}
+
 void CaptureContext::followSuit(SuitInUse& worn) {
+    settleCapture(worn);
     if (worn.suit.phase() == LiveSuit::Phase::kNone)
         suits_.setChecked(worn, {});
     followVirtualSuits();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/models/review_context.h"
 
+#include <utility>
+
 namespace noctule::ui {
 
 ReviewContext::ReviewContext(SharedContext& shared)
@@ -21,7 +23,21 @@ ReviewContext::ReviewContext(SharedContext& shared)
                          if (take_.path() == before)
                              take_.followMove(now);
                      });
-    QObject::connect(&changes_, &TakeChanges::failed, &shared, &SharedContext::failed);
+    QObject::connect(&changes_, &TakeChanges::failed, &here_,
+                     [&shared](const QString& what, const QString& remedy) {
+                         emit shared.failed(what, remedy, About::kTake);
+                     });
+    QObject::connect(&changes_, &TakeChanges::written, &here_,
+                     [&shared] { emit shared.settled(About::kTake); });
+    QObject::connect(&take_, &TakeDocument::opened, &here_, [this] { followTake(); });
+}
+
+/// What went wrong with another take is not of this one.
+void ReviewContext::followTake() {
+    if (std::exchange(seen_path_, take_.path()) == take_.path())
+        return;
+    emit shared_.settled(About::kTake);
+    emit shared_.settled(About::kProcess);
 }
 
 /// The take chosen in the session is the one under review; a damaged one is listed only.

@@ -29,6 +29,7 @@ public:
 
 private:
     void openChosenTake(int index);
+    void followTake();
 
     SharedContext& shared_;
     TimeCursor time_;
@@ -37,7 +38,8 @@ private:
     TakeChanges changes_;
     MarkerEditor markers_;
     ContactEditor contacts_;
-    QObject here_;  ///< receives what is told; gone before all others
+    QString seen_path_;  ///< of the take that was opened last
+    QObject here_;       ///< receives what is told; gone before all others
 };
 
 }  // namespace noctule::ui

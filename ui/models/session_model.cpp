@@ -40,13 +40,15 @@ QString keyOf(const Session& session) {
 SessionModel::SessionModel(Jobs& jobs, std::function<QString()> home, QObject* parent)
     : QObject(parent), jobs_(jobs), home_(std::move(home)), saver_(jobs) {
     connect(&saver_, &SessionSaver::failed, this, [this](const Error& error) {
-        if (const QString gone = whyNotHere(); !gone.isEmpty())
-            emit failed(gone);
-        else
-            tell(tr("The session could not be saved. Your takes are safe; the changes are kept here and "
-                    "saved with the next one"),
-                 error);
+        unsaved_ = whyNotHere();
+        if (unsaved_.isEmpty())
+            unsaved_ = failureText(tr("The session could not be saved. Your takes are safe; the changes are "
+                                      "kept here and saved with the next one"),
+                                   error);
+        emit failed(unsaved_);
     });
+    connect(&saver_, &SessionSaver::savedAgain, this,
+            [this] { emit savedAgain(std::exchange(unsaved_, {})); });
 }
 
 SessionModel::~SessionModel() {
@@ -55,8 +57,11 @@ SessionModel::~SessionModel() {
 
 void SessionModel::tell(const QString& what_failed, const Error& error) {
     if (error.kind != ErrorKind::kCancelled)
-        emit failed(tr("%1. %2", "what failed and what is safe; why and what to do")
-                        .arg(what_failed, inWords(error)));
+        emit failed(failureText(what_failed, error));
+}
+
+QString SessionModel::failureText(const QString& what_failed, const Error& error) {
+    return tr("%1. %2", "what failed and what is safe; why and what to do").arg(what_failed, inWords(error));
 }
 
 QString SessionModel::whyNotHere() const {

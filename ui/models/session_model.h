@@ -105,6 +105,8 @@ signals:
     void currentTakeChanged(int index);
     void takeAdded(const QString& name);  ///< imported
     void failed(const QString& message);
+    /// That the session could not be saved, which failed() has told, is over.
+    void savedAgain(const QString& message);
     /// Opening failed in a way that rebuild() may mend; instead of failed(). `problem` is a sentence without
     /// its stop and says which takes are safe.
     void damaged(const QString& folder, const QString& problem);
@@ -129,12 +131,14 @@ private:
     void followCurrentTake();
     void tell(const QString& what_failed, const Error& error);
     QString pushMove(const TakeTransfer& transfer);
+    static QString failureText(const QString& what_failed, const Error& error);
     Status mayMove(const std::string& take) const;
     Status moveTake(Session& session, const std::string& from, const std::string& to);
 
     Jobs& jobs_;
     const std::function<QString()> home_;
     SessionSaver saver_;
+    QString unsaved_;  ///< why, as it was told
     std::optional<Session> session_;
     UndoHistory undo_;
     int current_ = -1;

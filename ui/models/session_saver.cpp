@@ -70,10 +70,10 @@ void SessionSaver::forget() {
 }
 
 void SessionSaver::report(const Status& status) {
-    if (status)
-        told_ = false;
-    else if (!std::exchange(told_, true))
+    if (!status && !std::exchange(told_, true))
         emit failed(status.error());
+    else if (status && std::exchange(told_, false))
+        emit savedAgain();
 }
 
 }  // namespace noctule::ui

@@ -25,6 +25,8 @@ public:
 
 signals:
     void failed(const noctule::Error& error);
+    /// After failed().
+    void savedAgain();
 
 private:
     struct Order;

@@ -33,12 +33,23 @@ SharedContext::SharedContext(StudioParts parts, QObject* parent)
       parts_(std::move(parts)),
       session_(jobs_, [this] { return sessionsFolder(); }),
       shown_body_(jobs_, session_) {
-    connect(&shown_body_, &ShownBody::failed, this, &SharedContext::failed);
-    connect(&shown_body_, &ShownBody::warned, this, &SharedContext::warned);
+    connect(&shown_body_, &ShownBody::failed, this,
+            [this](const QString& what, const QString& remedy) { emit failed(what, remedy, About::kFile); });
+    connect(&shown_body_, &ShownBody::changed, this, [this] {
+        if (!shown_body_.problem())
+            emit settled(About::kFile);
+    });
+    connect(&shown_body_, &ShownBody::warned, this,
+            [this](const QString& what) { emit warned(what, About::kSession); });
     loadBody();
 }
 
 SharedContext::~SharedContext() = default;
+
+void SharedContext::sayOfFile(const QString& sentence) {
+    emit settled(About::kFile);
+    emit said(sentence);
+}
 
 void SharedContext::loadBody() {
     jobs_.start<SkinnedMesh>(

@@ -38,6 +38,16 @@ struct StudioParts {
     std::function<Status(const std::string& path, const JobContext&)> make_pair_take{};
 };
 
+/// What a failure or a warning is about. It is told until that is tried anew, succeeds or is exchanged.
+enum class About {
+    kSession,  ///< until another session is opened
+    kCapture,  ///< connecting suits and recording them
+    kSuit,     ///< the suit that is connected, with its calibration
+    kTake,     ///< the take under review, which is opened or changed
+    kProcess,  ///< a take that is processed
+    kFile,     ///< a file that is written or read for the operator
+};
+
 enum class Step { kStart, kConnect, kCalibrate, kRecord, kReview, kExport, kPerformer, kRobot };
 
 class SharedContext : public QObject {
@@ -66,6 +76,8 @@ public:
 
 public slots:
     void say(const QString& sentence) { emit said(sentence); }
+    /// Of a file: that it is written or in use.
+    void sayOfFile(const QString& sentence);
     void goTo(noctule::ui::Step step) { emit stepRequested(step); }
     /// Three seconds of standing still, then back to Record.
     void checkSuit() { emit checkRequested(); }
@@ -77,9 +89,12 @@ signals:
     /// A sentence for the status bar.
     void said(const QString& text);
     /// Something failed: what happened, and what to do.
-    void failed(const QString& what, const QString& remedy);
+    void failed(const QString& what, const QString& remedy,
+                noctule::ui::About about = noctule::ui::About::kSession);
     /// Nothing failed, but it should be known: whole sentences.
-    void warned(const QString& what);
+    void warned(const QString& what, noctule::ui::About about = noctule::ui::About::kSession);
+    /// What was told of it holds no longer.
+    void settled(noctule::ui::About about);
 
 private:
     void loadBody();
@@ -95,4 +110,5 @@ private:
 
 }  // namespace noctule::ui
 
+Q_DECLARE_METATYPE(noctule::ui::About)
 Q_DECLARE_METATYPE(noctule::ui::Step)

@@ -59,6 +59,7 @@ Studio::Studio(StudioParts parts, QObject* parent)
 Job* Studio::tryVirtualSuit() {
     if (trying_ && trying_->state() == Job::State::kRunning)
         return trying_;
+    emit settled(About::kFile);
     VirtualSessionRequest request;
     request.sessions_folder = sessionsFolder().toStdString();
     request.session_name = tr("Virtual suit").toStdString();
@@ -71,7 +72,8 @@ Job* Studio::tryVirtualSuit() {
         [this](Result<VirtualSession> made) -> QString {
             if (!made) {
                 if (made.error().kind != ErrorKind::kCancelled)
-                    emit failed(coreWords(made.error().message), coreWords(made.error().remedy));
+                    emit failed(coreWords(made.error().message), coreWords(made.error().remedy),
+                                About::kFile);
                 return {};
             }
             session().open(words(made->folder.string()), words(made->take));
@@ -85,6 +87,7 @@ Job* Studio::importMotion(std::shared_ptr<const figure::UnderstoodMotion> motion
                           const std::string& scenario) {
     if (!session().makeSure())
         return nullptr;
+    emit settled(About::kFile);
     VirtualSessionRequest request;
     request.take_base = motion->clip.name;
     request.software = parts().software;
@@ -101,7 +104,8 @@ Job* Studio::importMotion(std::shared_ptr<const figure::UnderstoodMotion> motion
         [this, folder = session().session().folder](Result<std::string> made) -> QString {
             if (!made) {
                 if (made.error().kind != ErrorKind::kCancelled)
-                    emit failed(coreWords(made.error().message), coreWords(made.error().remedy));
+                    emit failed(coreWords(made.error().message), coreWords(made.error().remedy),
+                                About::kFile);
                 return {};
             }
             if (session().isOpen() && session().session().folder == folder) {
@@ -141,6 +145,7 @@ Job* Studio::processAccurately(const std::string& take_path, const PartsOfOne& o
 
 Job* Studio::startProcessing(const std::string& take_path,
                              std::function<ProcessRequest(const JobContext&)> settings) {
+    emit settled(About::kProcess);
     const QString path = words(take_path);
     const QString take = QFileInfo(path).completeBaseName();
     Job* job = jobs().start<ProcessSummary>(
@@ -158,7 +163,8 @@ Job* Studio::startProcessing(const std::string& take_path,
         [this, path, take, kept = session().keepInPlace(path)](Result<ProcessSummary> summary) -> QString {
             if (!summary) {
                 if (summary.error().kind != ErrorKind::kCancelled)
-                    emit failed(coreWords(summary.error().message), coreWords(summary.error().remedy));
+                    emit failed(coreWords(summary.error().message), coreWords(summary.error().remedy),
+                                About::kProcess);
                 return {};
             }
             session().refresh(path);

@@ -179,6 +179,7 @@ void TakeDocument::setShownRun(int index) {
     if (!isOpen() || index == shown_ || index < -1 || index >= static_cast<int>(overview_->runs.size()))
         return;
     shown_ = index;
+    problem_.clear();  // of the result before
     if (compared_ == shown_)
         compared_ = -1;
     forgetUnshown();

@@ -30,11 +30,12 @@ QString folderOf(ReviewContext& review) {
 void write(ReviewContext& review, const QString& path, std::string_view content) {
     const Status written = writeFileAtomically(path.toStdString(), content, true);
     if (!written) {
-        emit review.shared().failed(coreWords(written.error().message), coreWords(written.error().remedy));
+        emit review.shared().failed(coreWords(written.error().message), coreWords(written.error().remedy),
+                                    About::kFile);
         return;
     }
     review.shared().settings().setValue(kFolderKey, QFileInfo(path).absolutePath());
-    emit review.shared().said(QCoreApplication::translate("PlotPanel", "%1 is written").arg(path));
+    review.shared().sayOfFile(QCoreApplication::translate("PlotPanel", "%1 is written").arg(path));
 }
 
 }  // namespace

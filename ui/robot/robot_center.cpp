@@ -182,9 +182,10 @@ void RobotCenter::exportCommands() {
     const Status written = writeFileAtomically(
         path.toStdString(), std::string_view(table.constData(), static_cast<size_t>(table.size())), true);
     if (written)
-        studio_.say(tr("%1 is written.").arg(QFileInfo(path).fileName()));
+        studio_.sayOfFile(tr("%1 is written.").arg(QFileInfo(path).fileName()));
     else
-        emit studio_.failed(coreWords(written.error().message), coreWords(written.error().remedy));
+        emit studio_.failed(coreWords(written.error().message), coreWords(written.error().remedy),
+                            About::kFile);
 }
 
 QString RobotCenter::figure(int row) const {

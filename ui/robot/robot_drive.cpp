@@ -148,6 +148,7 @@ void RobotDrive::connectRobot() {
 
 void RobotDrive::disconnectRobot() {
     wants_link_ = false;
+    setTrouble({});
     end();
     judge();
     emit linkChanged();
@@ -164,6 +165,7 @@ void RobotDrive::begin() {
     const Skeleton& skeleton = has_motion ? motion->skeleton : actor.skeleton;
     const auto performer =
         robot::PerformerArms::make(skeleton, of_take ? "the take's person" : "the performer");
+    trouble_is_leaders_ = !performer;
     if (!performer)
         return setTrouble(wordsOfError(performer.error()));
     auto link = robot_link::makeInterface(choice_.address.toStdString(), optionsOf(*parts_));
@@ -207,6 +209,8 @@ void RobotDrive::restart() {
     if (running_) {
         end();
         begin();
+    } else if (std::exchange(trouble_is_leaders_, false)) {
+        setTrouble({});  // another one leads, or another take
     }
     emit leaderChanged();
 }

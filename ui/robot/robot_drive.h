@@ -155,7 +155,8 @@ private:
     std::shared_ptr<const RobotParts> parts_;
     int reading_ = 0;  ///< what earlier readings bring is void
     QString trouble_;
-    LiveSuit* led_by_ = nullptr;  ///< has our listener
+    bool trouble_is_leaders_ = false;  ///< not the robot's
+    LiveSuit* led_by_ = nullptr;       ///< has our listener
     Leader leader_ = Leader::kSuit;
     bool repeats_ = false, wants_link_ = false;
     bool dead_man_ = false, clutch_ = false;

@@ -73,9 +73,10 @@ void RobotDrive::setRecording(bool on) {
         return;
     auto sink = robot_link::sinkIntoTake(studio_.take().path().toStdString());
     if (!sink) {
-        emit studio_.failed(coreWords(sink.error().message), coreWords(sink.error().remedy));
+        emit studio_.failed(coreWords(sink.error().message), coreWords(sink.error().remedy), About::kTake);
         return emit recordingChanged();
     }
+    emit studio_.settled(About::kTake);
     beginRecording(std::move(*sink), 0);
 }
 
@@ -129,7 +130,7 @@ void RobotDrive::recorded(const robot_link::DriveRecord& record, const QString& 
                                                    .arg(take)
                                              : QString();
         emit studio_.failed(coreWords(record.trouble->message) + (lost.isEmpty() ? "" : " " + lost),
-                            coreWords(record.trouble->remedy));
+                            coreWords(record.trouble->remedy), About::kTake);
     } else {
         studio_.say(tr("The robot’s commands and states are in %1.").arg(take));
     }

@@ -369,10 +369,10 @@ void SceneView::exportPicture() {
     if (path.isEmpty())
         return;
     if (picture(2).save(path, "PNG"))
-        emit review_.shared().said(tr("Picture written: %1").arg(path));
+        review_.shared().sayOfFile(tr("Picture written: %1").arg(path));
     else
         emit review_.shared().failed(tr("The picture could not be written to %1.").arg(path),
-                                     tr("Free space on the disk or choose another folder."));
+                                     tr("Free space on the disk or choose another folder."), About::kFile);
 }
 
 }  // namespace noctule::ui

@@ -23,7 +23,8 @@ struct FolderWords {
 void tellNoManager(SharedContext& shared, const QString& folder) {
     emit shared.failed(FolderWords::tr("No file manager could be started"),
                        FolderWords::tr("The folder is %1. Open it by hand, or install a file manager.")
-                           .arg(QDir::toNativeSeparators(folder)));
+                           .arg(QDir::toNativeSeparators(folder)),
+                       About::kFile);
 }
 
 }  // namespace
@@ -31,9 +32,11 @@ void tellNoManager(SharedContext& shared, const QString& folder) {
 void showFolder(SharedContext& shared, const QString& folder) {
     if (!QDir(folder).exists()) {
         emit shared.failed(FolderWords::tr("%1 is not there").arg(QDir::toNativeSeparators(folder)),
-                           FolderWords::tr("It may have been moved, or its disk is not connected."));
+                           FolderWords::tr("It may have been moved, or its disk is not connected."),
+                           About::kFile);
         return;
     }
+    emit shared.settled(About::kFile);
     auto* opener = new QProcess;
     QElapsedTimer clock;
     clock.start();

@@ -65,7 +65,7 @@ void TakeList::openTake(int row) {
     if (take.state == TakeState::kDamaged) {
         emit review_.shared().failed(
             tr("%1 cannot be opened: %2").arg(QString::fromStdString(take.name), coreWords(take.problem)),
-            tr("The file stays where it is; nothing in it is changed."));
+            tr("The file stays where it is; nothing in it is changed."), About::kTake);
         return;
     }
     const QString path = review_.shared().session().takePath(row);

@@ -180,13 +180,13 @@ void CalibratePage::chooseImport() {
     if (path.isEmpty())
         return;
     if (const QString why = importFile(path); !why.isEmpty())
-        emit studio_.failed(tr("%1 was not imported").arg(QFileInfo(path).fileName()), why);
+        emit studio_.failed(tr("%1 was not imported").arg(QFileInfo(path).fileName()), why, About::kFile);
 }
 
 QString CalibratePage::importFile(const QString& path) {
     const QString why = studio_.calibrations().importFile(path);
     if (why.isEmpty())
-        studio_.say(tr("%1 is in use; undo with Ctrl+Z.").arg(QFileInfo(path).fileName()));
+        studio_.sayOfFile(tr("%1 is in use; undo with Ctrl+Z.").arg(QFileInfo(path).fileName()));
     return why;
 }
 
@@ -198,9 +198,9 @@ void CalibratePage::chooseExport() {
     if (path.isEmpty())
         return;
     if (const QString why = studio_.calibrations().exportFile(path); !why.isEmpty())
-        emit studio_.failed(tr("The calibration was not exported"), why);
+        emit studio_.failed(tr("The calibration was not exported"), why, About::kFile);
     else
-        studio_.say(tr("%1 is written.").arg(QFileInfo(path).fileName()));
+        studio_.sayOfFile(tr("%1 is written.").arg(QFileInfo(path).fileName()));
 }
 
 void CalibratePage::showNewer() {
@@ -217,7 +217,9 @@ void CalibratePage::showNewer() {
         newer_card_->addAction(tr("Use them")), &QPushButton::clicked, this,
         [this] {
             if (const QString why = studio_.calibrations().useNewer(); !why.isEmpty())
-                emit studio_.failed(tr("The newer values are not in use"), why);
+                emit studio_.failed(tr("The newer values are not in use"), why, About::kFile);
+            else
+                emit studio_.settled(About::kFile);
         },
         Qt::QueuedConnection);
     newer_->addWidget(newer_card_);

@@ -314,9 +314,9 @@ void RoomPage::chooseFile() {
     if (path.isEmpty())
         return;
     if (const QString why = run_->save(path); !why.isEmpty())
-        emit studio_.failed(tr("The room was not saved"), why);
+        emit studio_.failed(tr("The room was not saved"), why, About::kFile);
     else
-        studio_.say(tr("%1 is written.").arg(QFileInfo(path).fileName()));
+        studio_.sayOfFile(tr("%1 is written.").arg(QFileInfo(path).fileName()));
 }
 
 void RoomPage::process() {

@@ -52,7 +52,10 @@ WizardIntro::WizardIntro(CaptureContext& capture, QWidget* parent)
     instead->addWidget(takes_);
     instead->addWidget(kept_words_->wrapped(), 1);
     takes_->setToolTip(tr("Nothing is measured now: takes of another day or another box are used instead"));
-    connect(begin_, &QPushButton::clicked, this, [this] { run_->begin(); });
+    connect(begin_, &QPushButton::clicked, this, [this] {
+        no_distances_.clear();
+        run_->begin();
+    });
     connect(anew_, &QPushButton::clicked, this, [this] { run_->beginAnew(); });
     connect(distances_, &QPushButton::clicked, this, &WizardIntro::chooseDistances);
     connect(takes_, &QPushButton::clicked, this, &WizardIntro::chooseTakes);
@@ -75,6 +78,7 @@ void WizardIntro::makeWords() {
 
 void WizardIntro::setRun(WizardRun* run) {
     run_ = run;
+    no_distances_.clear();
     problem_->hide();
     if (!run)
         return;
@@ -118,10 +122,15 @@ void WizardIntro::refresh() {
                                         .arg(QFileInfo(run_->distancesPath()).fileName())
                                   : tr("CSV with placement, kind, id, x_m, y_m, z_m, or with placement, "
                                        "source, board, distance_m"));
-    if (!run_->trouble().isEmpty()) {
-        problem_->setTexts(tr("The takes could not be used"), run_->trouble());
-        problem_->show();
-    }
+    showProblem();
+}
+
+void WizardIntro::showProblem() {
+    const QString why = no_distances_.isEmpty() ? run_->trouble() : no_distances_;
+    problem_->setTexts(
+        no_distances_.isEmpty() ? tr("The takes could not be used") : tr("The distances could not be read"),
+        why);
+    problem_->setVisible(!why.isEmpty());
 }
 
 QString WizardIntro::keptWords() const {
@@ -138,9 +147,8 @@ QString WizardIntro::keptWords() const {
 }
 
 void WizardIntro::useDistances(const QString& path) {
-    const QString why = run_->setDistances(path);
-    problem_->setTexts(tr("The distances could not be read"), why);
-    problem_->setVisible(!why.isEmpty());
+    no_distances_ = run_->setDistances(path);
+    showProblem();
 }
 
 QString WizardIntro::problem() const {
@@ -157,8 +165,10 @@ void WizardIntro::chooseDistances() {
 void WizardIntro::chooseTakes() {
     const QStringList paths = QFileDialog::getOpenFileNames(
         this, tr("Choose the takes"), capture_.shared().takesFolder(), tr("Takes (*.noctule)"));
-    if (run_ && !paths.isEmpty())
-        run_->solveTakes(paths);
+    if (!run_ || paths.isEmpty())
+        return;
+    no_distances_.clear();
+    run_->solveTakes(paths);
 }
 
 }  // namespace noctule::ui

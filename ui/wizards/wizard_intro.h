@@ -36,6 +36,7 @@ public:
 private:
     void makeWords();
     void refresh();
+    void showProblem();
     QString keptWords() const;
     void chooseDistances();
     void chooseTakes();
@@ -47,6 +48,7 @@ private:
     RigDrawing* drawing_;
     FieldDrawing* sphere_;
     ProblemCard* problem_;
+    QString no_distances_;  ///< why the file that was chosen last could not be read
     Button *begin_, *anew_, *distances_, *takes_;
 };
 

@@ -79,6 +79,7 @@ QString WizardRun::setDistances(const QString& path) {
     if (!known)
         return coreWords(known.error());
     known_ = std::move(*known);
+    trouble_.clear();
     unfinished_.distances_path = path;
     emit changed();
     return {};
@@ -150,6 +151,7 @@ void WizardRun::followWearing() {
 
 /// What was taken of one suit says nothing of another one that is looked at now.
 void WizardRun::leaveSuit() {
+    trouble_.clear();
     if (phase_ == Phase::kIntro)
         return emit changed();
     if (job_)

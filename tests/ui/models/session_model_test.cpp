@@ -237,6 +237,22 @@ TEST_F(SessionModelTest, RenamingOverwritesNothing) {
     EXPECT_EQ(model_.session().takes[0].name, "walk_001");
 }
 
+TEST_F(SessionModelTest, ThatItCouldNotBeSavedIsOverWithTheNextSave) {
+    ASSERT_TRUE(openAndWait());
+    QSignalSpy failed(&model_, &SessionModel::failed), again(&model_, &SessionModel::savedAgain);
+    const auto away = folder().parent_path() / "away";
+    std::filesystem::rename(folder(), away);
+    model_.rate(0, 4);
+    ASSERT_TRUE(waitFor([&] { return failed.count() == 1; }));
+    std::filesystem::rename(away, folder());
+    model_.rate(0, 5);
+    ASSERT_TRUE(waitFor([&] { return again.count() == 1; }));
+    EXPECT_EQ(again[0][0], failed[0][0]) << "what was told";
+    model_.rate(0, 3);
+    EXPECT_TRUE(waitFor([&] { return jobs_.idle(); }));
+    EXPECT_EQ(again.count(), 1);
+}
+
 TEST_F(SessionModelTest, ATakeThatAJobWorksOnStaysWhereItIs) {
     ASSERT_TRUE(openAndWait());
     QSignalSpy failed(&model_, &SessionModel::failed);

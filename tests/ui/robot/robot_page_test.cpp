@@ -333,6 +333,8 @@ TEST_F(RobotPageTest, ARobotThatIsNotThereIsSaid) {
     ASSERT_TRUE(waitFor([this] { return !drive_->trouble().isEmpty(); }));
     EXPECT_EQ(drive_->link(), RobotDrive::Link::kOff);
     EXPECT_TRUE(drive_->trouble().contains("127.0.0.1:9")) << drive_->trouble().toStdString();
+    drive_->disconnectRobot();
+    EXPECT_EQ(drive_->trouble(), "") << "nobody wants it any more";
 }
 
 TEST_F(RobotPageTest, AUrdfThatCannotBeReadIsSaid) {

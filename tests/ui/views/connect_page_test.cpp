@@ -340,6 +340,11 @@ TEST_F(ConnectPageTest, AWrongAddressIsToldInPlaceAndASilentOneInTheList) {
     devices.addressField().setText("nowhere");
     QTest::keyClick(&devices.addressField(), Qt::Key_Return);
     EXPECT_TRUE(devices.addressProblem().contains("nowhere"));
+    for (int times = 0; times < 2; ++times)
+        for (QAbstractButton* button : devices.findChildren<QAbstractButton*>())
+            if (button->text() == "Other address or port")
+                button->click();
+    EXPECT_EQ(devices.addressProblem(), "") << "the form is opened anew";
     devices.addressField().setText("tcp://127.0.0.1:9");
     QTest::keyClick(&devices.addressField(), Qt::Key_Return);
     EXPECT_EQ(devices.addressProblem(), "");

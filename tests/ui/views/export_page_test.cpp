@@ -15,6 +15,7 @@
 #include "ui/views/export/export_form.h"
 #include "ui/views/export/export_results_panel.h"
 #include "ui/views/export/export_take_list.h"
+#include "ui/views/job_progress.h"
 #include "ui/widgets/button.h"
 
 namespace noctule::ui {
@@ -175,6 +176,19 @@ TEST_F(ExportPageTest, AnyChangeBringsWriteBackAndReturnOpensNoFolder) {
     EXPECT_EQ(page_->resultsPanel().cardCount(), 3) << "the new file, a heading, and the file before";
     page_->enter();
     EXPECT_EQ(page_->resultsPanel().cardCount(), 3) << "they stay when the page is left";
+}
+
+TEST_F(ExportPageTest, WhyFilesWereNotWrittenIsForgottenWhenOthersAreAskedFor) {
+    const std::filesystem::path exports = studio_->session().session().exportsFolder();
+    std::filesystem::remove_all(exports);
+    ASSERT_TRUE(writeFileAtomically(exports.string(), "a file in the way", true));
+    QTest::mouseClick(page_->writeButton(), Qt::LeftButton);
+    const auto* progress = page_->findChild<JobProgress*>();
+    ASSERT_TRUE(waitFor([&] { return progress->isVisible() && jobsAreDone(); })) << "it says why";
+    page_->enter();
+    EXPECT_TRUE(progress->isVisible()) << "nothing has changed";
+    page_->form().frames->setCurrentIndex(page_->form().frames->findData(60.0));
+    EXPECT_FALSE(progress->isVisible());
 }
 
 TEST_F(ExportPageTest, SeveralFormatsAndResultsGoOutAtOnce) {

@@ -181,6 +181,22 @@ TEST_F(ReviewPageTest, AMissingCalibrationIsSaidBeforeProcessing) {
     EXPECT_EQ(told(), "");
 }
 
+TEST_F(ReviewPageTest, ACalibrationThatCannotBeReadIsForgottenWithAnotherChoice) {
+    ReprocessDialog dialog(*studio_, *studio_->take().overview());
+    const auto tells = [&dialog] {
+        for (const QLabel* label : dialog.findChildren<QLabel*>())
+            if (label->text().contains("nothing.json"))
+                return true;
+        return false;
+    };
+    dialog.setCalibrationFile(outsideFile("nothing.json"));
+    EXPECT_TRUE(tells());
+    dialog.gyroscopes->setChecked(!dialog.gyroscopes->isChecked());
+    EXPECT_TRUE(tells()) << "the file is still the one that was asked for";
+    dialog.calibration_in_force->button()->click();
+    EXPECT_FALSE(tells());
+}
+
 TEST_F(ReviewPageTest, AnUncalibratedTakeIsDiagnosedAndNoTitleLacksItsName) {
     const TakeOverview& overview = *studio_->take().overview();
     TakeVerdict verdict;

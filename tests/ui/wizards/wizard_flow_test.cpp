@@ -124,6 +124,11 @@ TEST_F(WizardFlow, Sources) {
     EXPECT_EQ(page_->wizard().intro().problem(), "The distances could not be read");
     page_->wizard().intro().useDistances(points);
     EXPECT_EQ(page_->wizard().intro().problem(), "");
+    run().solveTakes({folder_.filePath("nothing.noctule")});
+    ASSERT_TRUE(waitLong([this] { return !run().trouble().isEmpty(); }));
+    EXPECT_EQ(page_->wizard().intro().problem(), "The takes could not be used");
+    page_->wizard().intro().useDistances(points);
+    EXPECT_EQ(page_->wizard().intro().problem(), "") << "tried anew with other distances";
     click(page_->wizard().intro().beginButton());
     for (int placement = 0; placement < run().stepCount(); ++placement) {
         operate(QByteArray("placement ") + QByteArray::number(placement + 1));

@@ -79,6 +79,7 @@ void DevicesPanel::addAddressForm(QVBoxLayout& column) {
     column.addWidget(form_);
     connect(other_, &QPushButton::clicked, this, [this] {
         form_->setVisible(form_->isHidden());
+        problem_->hide();
         if (form_->isVisible())
             address_->setFocus(Qt::OtherFocusReason);
     });
@@ -186,6 +187,7 @@ DeviceWords DevicesPanel::wordsFor(const KnownSuit& suit) const {
 }
 
 void DevicesPanel::act(const KnownSuit& suit) {
+    problem_->hide();  // another box was chosen
     const QString address = qt(suit.device.address);
     if (SuitInUse* worn = wornOf(suit); worn && worn->suit.phase() == LiveSuit::Phase::kRefused)
         worn->suit.connectTo(address);

@@ -192,6 +192,8 @@ bool ExportPage::isWritten() const {
 }
 
 void ExportPage::refresh() {
+    if (!progress_->isRunning() && started_ != asked())
+        progress_->follow(nullptr);  // why other files were not written
     const auto jobs = plan();
     const QString problem = jobs ? QString() : coreWords(jobs.error());
     const bool busy = progress_->isRunning();
@@ -301,9 +303,10 @@ void ExportPage::saveCheck() {
         return;
     const Status saved = writeFileAtomically(path.toStdString(), checkAsText(*results_).toStdString(), true);
     if (saved)
-        emit review_.shared().said(tr("%1 is written.").arg(QDir::toNativeSeparators(path)));
+        review_.shared().sayOfFile(tr("%1 is written.").arg(QDir::toNativeSeparators(path)));
     else
-        emit review_.shared().failed(coreWords(saved.error().message), coreWords(saved.error().remedy));
+        emit review_.shared().failed(coreWords(saved.error().message), coreWords(saved.error().remedy),
+                                     About::kFile);
 }
 
 void ExportPage::saveOwnPreset() {

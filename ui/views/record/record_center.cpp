@@ -90,7 +90,8 @@ void RecordCenter::showTake() {
     showTime();
     if (refusal_ && run_.state() != RecordRun::State::kRefused)
         closeRefusal();
-    else if (refusal_ && refusal_->title() != run_.obstacle().title)
+    else if (refusal_ &&
+             (refusal_->title() != run_.obstacle().title || refused_text_ != run_.obstacle().text))
         showRefusal();
 }
 
@@ -105,6 +106,7 @@ void RecordCenter::showRefusal() {
     const RecordObstacle& obstacle = run_.obstacle();
     if (!obstacle)
         return;
+    refused_text_ = obstacle.text;
     refusal_ = new ProblemCard(Tone::kWarn, obstacle.title, obstacle.text);
     if (obstacle.may_record_anyway)
         connect(refusal_->addAction(tr("Record anyway"), "record"), &QPushButton::clicked, this, [this] {

@@ -49,6 +49,7 @@ private:
     LevelsPanel* levels_;
     QVBoxLayout* column_;
     ProblemCard* refusal_ = nullptr;
+    QString refused_text_;  ///< that it tells
 };
 
 }  // namespace noctule::ui

@@ -227,7 +227,7 @@ void RecordRun::count() {
 
 void RecordRun::beginOwn() {
     if (const QString why = begin(base_); !why.isEmpty())
-        emit capture_.shared().failed(tr("Recording did not begin"), why);
+        emit capture_.shared().failed(tr("Recording did not begin"), why, About::kCapture);
 }
 
 QString RecordRun::begin(const QString& base) {
@@ -259,7 +259,8 @@ void RecordRun::beginFromElsewhere(const QString& name, const QString& notes) {
     if (why.isEmpty())
         told_notes_ = notes.trimmed();
     else
-        emit capture_.shared().failed(tr("Another program asked for a recording, which did not begin"), why);
+        emit capture_.shared().failed(tr("Another program asked for a recording, which did not begin"), why,
+                                      About::kCapture);
 }
 
 void RecordRun::stopFromElsewhere() {
@@ -281,7 +282,8 @@ void RecordRun::onEnded(const QString& take, const QString& trouble) {
     running_.clear();
     if (!trouble.isEmpty()) {
         cue(tr("The recording has ended by itself"));
-        emit capture_.shared().failed(tr("%1 ended by itself", "name of a take").arg(take), trouble);
+        emit capture_.shared().failed(tr("%1 ended by itself", "name of a take").arg(take), trouble,
+                                      About::kCapture);
     }
     chooseDueShot();
     emit changed();

@@ -134,10 +134,10 @@ void ReportView::savePdf() {
     if (path.isEmpty())
         return;
     if (page_->savePdf(path))
-        emit review_.shared().said(tr("%1 is written.").arg(path));
+        review_.shared().sayOfFile(tr("%1 is written.").arg(path));
     else
         emit review_.shared().failed(tr("%1 could not be written.").arg(path),
-                                     tr("Choose another folder or free some space."));
+                                     tr("Choose another folder or free some space."), About::kFile);
 }
 
 void ReportView::find(const QString& text) {

@@ -105,7 +105,11 @@ ReferencePanel::ReferencePanel(ReviewContext& review, QWidget* parent)
         TakeDocument& take = review_.take();
         take.setComparedRun(take.comparedRun() == TakeDocument::kReference ? -1 : TakeDocument::kReference);
     });
-    connect(&review.take(), &TakeDocument::opened, this, &ReferencePanel::readFacts);
+    connect(&review.take(), &TakeDocument::opened, this, [this] {
+        if (std::exchange(attached_to_, review_.take().path()) != review_.take().path())
+            progress_->follow(nullptr);  // what failed there says nothing of this take
+        readFacts();
+    });
     connect(&review.take(), &TakeDocument::runsChanged, this, &ReferencePanel::refresh);
     readFacts();
 }

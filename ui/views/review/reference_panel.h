@@ -47,6 +47,7 @@ private:
     Button* attach_;
     ToolButton* compare_;
     JobProgress* progress_;
+    QString attached_to_;  ///< the take that progress_ is about
     std::optional<ReferenceFacts> facts_;
     uint64_t ticket_ = 0;
 };

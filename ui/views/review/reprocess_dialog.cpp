@@ -204,8 +204,13 @@ void ReprocessDialog::addCalibration(QBoxLayout& into) {
     calibration_from_file->setVisible(!several);
     if (in_use && !several && lackOf(overview_.suit, *in_use).isNone() && !overview_.lack.isNone())
         calibration_in_use->setChecked(true);
-    for (ChoiceRow* row : rows)
+    for (ChoiceRow* row : rows) {
         connect(row->button(), &QAbstractButton::toggled, this, &ReprocessDialog::refresh);
+        connect(row->button(), &QAbstractButton::clicked, this, [this] {
+            file_problem_.clear();  // another choice, or another file
+            refresh();
+        });
+    }
     connect(calibration_from_file->button(), &QAbstractButton::clicked, this, [this] {
         const QString path =
             QFileDialog::getOpenFileName(this, tr("Choose a calibration"), {}, tr("Calibrations (*.json)"));

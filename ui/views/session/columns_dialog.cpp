@@ -203,8 +203,8 @@ void ColumnsDialog::saveMap() {
     if (path.isEmpty())
         return;
     // The file dialog has asked before it replaces a file.
-    if (const Status written = writeFileAtomically(path.toStdString(), map->dump(1) + "\n", true); !written)
-        setProblem(coreWords(written.error().text()));
+    const Status written = writeFileAtomically(path.toStdString(), map->dump(1) + "\n", true);
+    setProblem(written ? QString() : coreWords(written.error().text()));
 }
 
 }  // namespace noctule::ui

@@ -373,6 +373,7 @@ void RecordingDialog::accept() {
 void RecordingDialog::keep() {
     SharedContext* shared = &shared_;
     const RecordingToKeep request{recording_, shared->parts().software, shared->parts().utc_now()};
+    emit shared->settled(About::kFile);
     shared->jobs().start<RecordingTake>(
         tr("Importing %1").arg(QString::fromStdString(recording_->name)),
         [request, session = shared->session().session()](const JobContext& job) {
@@ -381,7 +382,8 @@ void RecordingDialog::keep() {
         [shared, folder = shared->session().session().folder](Result<RecordingTake> made) -> QString {
             if (!made) {
                 if (made.error().kind != ErrorKind::kCancelled)
-                    emit shared->failed(coreWords(made.error().message), coreWords(made.error().remedy));
+                    emit shared->failed(coreWords(made.error().message), coreWords(made.error().remedy),
+                                        About::kFile);
                 return {};
             }
             const QString name = QString::fromStdString(made->name);

@@ -93,6 +93,10 @@ QWidget* StartPage::makeChoices() {
     try_ = new BigButton("play", tr("Try it with the virtual suit"),
                          tr("A simulated performer, nothing to plug in"), {}, false);
     progress_ = new JobProgress;
+    connect(&studio_.session(), &SessionModel::opened, this, [this] {
+        if (!progress_->isRunning())
+            progress_->follow(nullptr);  // what failed before is over
+    });
     for (QWidget* widget : std::initializer_list<QWidget*>{new_, open_, motion_, try_, progress_})
         column->addWidget(widget);
     connect(new_, &QAbstractButton::clicked, this, &StartPage::newSessionRequested);
