@@ -26,6 +26,7 @@ struct ExportCheck {
     int64_t bytes = 0;
     size_t frames = 0, expected_frames = 0;
     double frames_per_second = 0;                ///< as the file says
+    bool has_figure = false;                     ///< the file tells height, lowest point and facing
     double height_m = 0, expected_height_m = 0;  ///< of the zero pose; CSV: of the first frame's joints
     double lowest_m = 0;                         ///< lowest joint or tip of all frames; 0 is the floor
     /// Heading of the zero pose or of the first frame (CSV): 0 faces +Z with the left side to +X,
@@ -41,6 +42,9 @@ struct ExportCheck {
     std::vector<std::string> faults;  ///< whole sentences; empty: the file holds what the take holds
 
     bool ok() const { return faults.empty(); }
+    /// Deeper than feet roll through a floor that a run holds them on.
+    bool isBelowFloor() const { return has_figure && lowest_m < -kOnFloor_m; }
+    static constexpr double kOnFloor_m = 0.02;
 };
 
 /// What rounding in the files can explain, with room to spare; more is a fault.

@@ -93,7 +93,7 @@ public:
         check_.expected_height_m = zeroPoseHeight(expected_.skeleton, file_.skeleton);
         check_.facing_rad = zeroPoseFacing(file_.skeleton);
         check_.expected_facing_rad = zeroPoseFacing(expected_.skeleton);
-        check_.has_angles = true;
+        check_.has_angles = check_.has_figure = true;
         check_.lowest_m = INFINITY;
         for (size_t f = 0; f < file_.frames.size(); ++f)
             check_.lowest_m = std::min(check_.lowest_m, lowestPoint(file_, f));
@@ -166,6 +166,7 @@ public:
                                                      : 1 / expected_.frame_time_s;
         check_.joints =
             static_cast<int>(std::count_if(joints_.begin(), joints_.end(), [](int j) { return j >= 0; }));
+        check_.has_figure = true;
         check_.lowest_m = INFINITY;
         for (const Vector3d& p_m : file_.p_world_m)
             check_.lowest_m = std::min(check_.lowest_m, p_m.y());

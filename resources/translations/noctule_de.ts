@@ -3658,6 +3658,10 @@
         <comment>take, performer</comment>
         <translation>%1, %2</translation>
     </message>
+    <message>
+        <source>The figure goes %1 below the floor. Process the take with a level floor, or move the motion up in the program that reads it.</source>
+        <translation>Die Figur reicht %1 unter den Boden. Verarbeiten Sie die Aufnahme mit ebenem Boden, oder heben Sie die Bewegung in dem Programm an, das sie liest.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::ExportSettings</name>

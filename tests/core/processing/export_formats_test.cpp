@@ -115,6 +115,8 @@ TEST_F(ExportFormats, EveryFileIsHeldAgainstItsTake) {
             EXPECT_TRUE(check.ok()) << check.path << ": " << check.faults.front();
             EXPECT_EQ(check.frames, 55U);
             EXPECT_TRUE(check.has_angles);
+            EXPECT_EQ(check.has_figure, !check.path.ends_with(".mot") && !check.path.ends_with(".sto"))
+                << "a table of angles tells neither height nor floor: " << check.path;
         }
         EXPECT_NEAR((*checks)[1].height_m, (*checks)[0].height_m, 1e-4);
         EXPECT_NEAR((*checks)[1].lowest_m, (*checks)[0].lowest_m, 1e-4);

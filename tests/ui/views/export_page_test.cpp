@@ -4,6 +4,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFile>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPointer>
 #include <QSet>
@@ -176,6 +177,36 @@ TEST_F(ExportPageTest, AnyChangeBringsWriteBackAndReturnOpensNoFolder) {
     EXPECT_EQ(page_->resultsPanel().cardCount(), 3) << "the new file, a heading, and the file before";
     page_->enter();
     EXPECT_EQ(page_->resultsPanel().cardCount(), 3) << "they stay when the page is left";
+}
+
+TEST_F(ExportPageTest, FeetAreOnTheFloorOnlyWhereTheFileHasThemThere) {
+    ExportResults results;
+    results.outcomes.push_back({"swing_001", outsideFile("swing.bvh").toStdString(), {}, {}, false});
+    ExportCheck& check = results.outcomes.front().check;
+    check.has_figure = true;
+    check.height_m = 1.78;
+    const auto says = [](const ExportResultsPanel& panel, const QString& words) {
+        const auto labels = panel.findChildren<QLabel*>();
+        return std::ranges::any_of(labels,
+                                   [&](const QLabel* label) { return label->text().contains(words); });
+    };
+    const auto shown = [&](double lowest_m) {
+        check.lowest_m = lowest_m;
+        auto panel = std::make_unique<ExportResultsPanel>();
+        panel->setResults(results, false);
+        return panel;
+    };
+    EXPECT_TRUE(says(*shown(-0.01), "feet on the floor"));
+    EXPECT_FALSE(says(*shown(-0.01), "something you should know"));
+    const auto below = shown(-0.029);
+    EXPECT_FALSE(says(*below, "feet on the floor"));
+    EXPECT_TRUE(says(*below, "below the floor"));
+    EXPECT_TRUE(says(*below, "something you should know")) << "no tick";
+    EXPECT_TRUE(checkAsText(results).contains("below the floor"));
+    check.has_figure = false;  // a table of angles
+    const auto unknown = shown(0);
+    EXPECT_FALSE(says(*unknown, "feet on the floor"));
+    EXPECT_FALSE(checkAsText(results).contains("feet on the floor"));
 }
 
 TEST_F(ExportPageTest, WhyFilesWereNotWrittenIsForgottenWhenOthersAreAskedFor) {

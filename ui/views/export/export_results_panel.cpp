@@ -22,7 +22,7 @@ namespace {
 Tone outcomeTone(const ExportOutcome& outcome) {
     if (outcome.error || !outcome.check.ok())
         return Tone::kError;
-    return outcome.check.silent.empty() ? Tone::kOk : Tone::kWarn;
+    return outcome.check.silent.empty() && !outcome.check.isBelowFloor() ? Tone::kOk : Tone::kWarn;
 }
 
 /// All is told of the first file and of those with faults, of others what may differ.
@@ -32,8 +32,10 @@ void addFacts(FormRows& rows, const ExportCheck& check, bool in_full) {
         return;
     }
     if (in_full || !check.ok()) {
-        rows.addValue(ExportResultsPanel::tr("Height"), heightInWords(check));
-        rows.addValue(ExportResultsPanel::tr("Facing"), facingInWords(check));
+        if (check.has_figure) {
+            rows.addValue(ExportResultsPanel::tr("Height"), heightInWords(check));
+            rows.addValue(ExportResultsPanel::tr("Facing"), facingInWords(check));
+        }
         rows.addValue(ExportResultsPanel::tr("Joints"),
                       ExportResultsPanel::tr("%1 of %2").arg(check.joints).arg(check.expected_joints));
     }
@@ -151,6 +153,8 @@ QWidget* ExportResultsPanel::makeCard(const ExportOutcome& outcome, bool in_full
         auto* line = addRow(column, 0, {24, 0, 0, 0});
         line->addWidget((new Label(text, TextRole::kSecondary, ink))->wrapped()->selectable());
     };
+    if (check.isBelowFloor())
+        addLine(belowFloorInWords(check), Ink::kWarn);
     for (const SilentBoard& silent : check.silent)
         addLine(silenceInWords(silent), Ink::kWarn);
     for (const std::string& fault : check.faults)

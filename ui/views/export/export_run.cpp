@@ -23,7 +23,7 @@
 namespace noctule::ui {
 namespace {
 
-constexpr double kOnFloor_m = 0.03, kFacing_rad = 0.1;
+constexpr double kFacing_rad = 0.1;
 constexpr double kSmallest_m = 1e-6, kSmallest_rad = radians(1e-4);  ///< that is told
 
 struct RunWords {
@@ -215,11 +215,18 @@ Result<ExportResults> tryOneFrame(ExportJob job, double time_s, const JobContext
 
 QString heightInWords(const ExportCheck& check) {
     const QString height = metresText(check.height_m);
-    if (std::abs(check.lowest_m) < kOnFloor_m)
+    if (std::abs(check.lowest_m) <= ExportCheck::kOnFloor_m)
         return RunWords::tr("%1, feet on the floor").arg(height);
     return check.lowest_m > 0
                ? RunWords::tr("%1, lowest point %2 above the floor").arg(height, metresText(check.lowest_m))
                : RunWords::tr("%1, lowest point %2 below the floor").arg(height, metresText(-check.lowest_m));
+}
+
+QString belowFloorInWords(const ExportCheck& check) {
+    return RunWords::tr(
+               "The figure goes %1 below the floor. Process the take with a level floor, or move the "
+               "motion up in the program that reads it.")
+        .arg(metresText(-check.lowest_m));
 }
 
 QString facingInWords(const ExportCheck& check) {
@@ -263,10 +270,15 @@ QString pictureInWords(const ExportCheck& check) {
 namespace {
 
 QStringList motionLines(const ExportCheck& check) {
-    return {RunWords::tr("Height: %1").arg(heightInWords(check)),
-            RunWords::tr("Facing: %1").arg(facingInWords(check)),
-            RunWords::tr("Joints: %1 of %2").arg(check.joints).arg(check.expected_joints),
-            RunWords::tr("Largest difference to the take: %1").arg(differenceInWords(check))};
+    QStringList lines;
+    if (check.has_figure)
+        lines << RunWords::tr("Height: %1").arg(heightInWords(check))
+              << RunWords::tr("Facing: %1").arg(facingInWords(check));
+    lines << RunWords::tr("Joints: %1 of %2").arg(check.joints).arg(check.expected_joints)
+          << RunWords::tr("Largest difference to the take: %1").arg(differenceInWords(check));
+    if (check.isBelowFloor())
+        lines << belowFloorInWords(check);
+    return lines;
 }
 
 }  // namespace

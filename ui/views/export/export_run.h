@@ -56,6 +56,8 @@ QString checkAsText(const ExportResults& results);
 /// "1.78 m, feet on the floor", "+Z, left hand to +X", "0.0004°, 0.001 mm".
 QString heightInWords(const ExportCheck& check);
 QString facingInWords(const ExportCheck& check);
+/// Of one that isBelowFloor(): how far, and what to do.
+QString belowFloorInWords(const ExportCheck& check);
 QString differenceInWords(const ExportCheck& check);
 /// Of a picture or film: "1280 × 720 pixels".
 QString pictureInWords(const ExportCheck& check);
