@@ -35,6 +35,7 @@ package_needs=(
     qttools5-dev         # Qt5: LinguistTools
     qttools5-dev-tools   # Qt5: lupdate, lrelease
     libqt5texttospeech5-dev # Qt5: TextToSpeech, spoken cues
+    qttranslations5-l10n # Qt's own words in German: its dialogs, menus and keys
     libqwt-qt5-dev       # Qt5Qwt6
     libqt5opengl5-dev    # Qt5Qwt6 asks for it
     fonts-roboto-unhinted # the studio's type

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Makes one file that runs on other Linux systems without installing: out/packages/noctule-VERSION-ARCHITECTURE.run. It
-# holds the Debian package's programs with their libraries and Qt's plugins. The first start unpacks it into the user's
-# cache. Not inside: the C and C++ libraries and the drivers of the graphics card, which belong to the system; glibc must
-# not be older than the one of the system that it was made on. (An AppImage proper needs a start program that Debian
-# does not have.)
+# holds the Debian package's programs with their libraries, Qt's plugins and Qt's words in German. The first start unpacks
+# it into the user's cache. Not inside: the C and C++ libraries and the drivers of the graphics card, which belong to the
+# system; glibc must not be older than the one of the system that it was made on. (An AppImage proper needs a start
+# program that Debian does not have.)
 #   packaging/single_file.sh [PACKAGE.deb]    made by packaging/package.sh when it is not given
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -23,7 +23,10 @@ mkdir -p "$usr/lib/plugins"
 for kind in platforms imageformats iconengines xcbglintegrations platforminputcontexts platformthemes texttospeech; do
     [ ! -d "$plugins/$kind" ] || cp -r "$plugins/$kind" "$usr/lib/plugins/"
 done
-printf '[Paths]\nPrefix=..\nPlugins=lib/plugins\n' | tee "$usr/bin/qt.conf" >"$usr/libexec/noctule/qt.conf"
+translations=$(qmake -query QT_INSTALL_TRANSLATIONS)
+mkdir "$usr/lib/translations"
+cp "$translations"/qt{base,serialport,websockets}_de.qm "$usr/lib/translations/"
+printf '[Paths]\nPrefix=..\nPlugins=lib/plugins\nTranslations=lib/translations\n' | tee "$usr/bin/qt.conf" >"$usr/libexec/noctule/qt.conf"
 
 of_the_system='/(ld-linux.*|lib(c|m|dl|rt|pthread|resolv|util|stdc\+\+|gcc_s|drm|gbm|GLX_.*|EGL_.*))\.so'
 find "$usr" -type f \( -perm -u+x -o -name '*.so*' \) -exec ldd {} + 2>/dev/null |

@@ -94,6 +94,7 @@ films=yes
 rm "$root/usr/local/bin/noctule"
 inside apt-get -qq install -y --no-install-recommends /tmp/noctule.deb >"$folder/install.log" 2>&1 ||
     { tail "$folder/install.log" >&2; fail "the package cannot be installed"; }
+[ -e "$root/usr/share/qt5/translations/qtbase_de.qm" ] || fail "Qt's own dialogs would be English on a German screen"
 mkdir -m 777 "$root/tmp/takes"
 cp "$motion" "$root/tmp/takes/"
 echo "-- the batch demo"

@@ -71,8 +71,8 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# Loaded while the program runs, so that no tool finds them: OpenGL through libepoxy.
-set(CPACK_DEBIAN_PACKAGE_DEPENDS "libegl1, libgl1")
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libgl1-mesa-dri, qtspeech5-speechd-plugin, qttranslations5-l10n")
+# Loaded while the program runs, so that no tool finds them: OpenGL through libepoxy, Qt's own words in German.
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "libegl1, libgl1, qttranslations5-l10n")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libgl1-mesa-dri, qtspeech5-speechd-plugin")
 set(CPACK_OUTPUT_FILE_PREFIX ${CMAKE_BINARY_DIR}/packages)
 include(CPack)

@@ -17,10 +17,24 @@ namespace noctule::ui {
 namespace {
 
 constexpr const char* kKey = "language";
+/// Qt's own words: its dialogs, menus and keys, and why a link failed. Debian has them in
+/// qttranslations5-l10n.
+constexpr std::array kOfQt{"qtbase", "qtserialport", "qtwebsockets"};
 
-QTranslator& installed(int index) {
-    static auto* translators = new std::array<QTranslator, 2>;  // live as long as the application
-    return (*translators)[static_cast<size_t>(index)];
+struct Translators {
+    QTranslator own;
+    std::array<QTranslator, kOfQt.size()> of_qt;
+};
+
+Translators& translators() {
+    static auto* installed = new Translators;  // lives as long as the application
+    return *installed;
+}
+
+void install(QTranslator& translator, const char* name, const QString& folder) {
+    QCoreApplication::removeTranslator(&translator);
+    if (translator.load(QLocale(), name, "_", folder))
+        QCoreApplication::installTranslator(&translator);
 }
 
 }  // namespace
@@ -45,16 +59,11 @@ void applyLanguage(const QSettings& settings) {
     nameTranslations();
     const QString code = chosenLanguage(settings);
     const QLocale locale = code.isEmpty() ? QLocale::system() : QLocale(code);
-    QTranslator &own = installed(0), &qt = installed(1);
-    QCoreApplication::removeTranslator(&own);
-    QCoreApplication::removeTranslator(&qt);
     QLocale::setDefault(locale.language() == QLocale::German ? locale : QLocale(QLocale::English));
     // Also for English: its plural forms stand in a translation.
-    const bool found = own.load(QLocale(), "noctule", "_", ":/noctule/translations");
-    if (found)
-        QCoreApplication::installTranslator(&own);
-    if (found && qt.load(QLocale(), "qtbase", "_", QLibraryInfo::location(QLibraryInfo::TranslationsPath)))
-        QCoreApplication::installTranslator(&qt);
+    install(translators().own, "noctule", ":/noctule/translations");
+    for (size_t i = 0; i < kOfQt.size(); ++i)
+        install(translators().of_qt[i], kOfQt[i], QLibraryInfo::location(QLibraryInfo::TranslationsPath));
 }
 
 }  // namespace noctule::ui
