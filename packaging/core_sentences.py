@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Brings the sentences of core and devices into resources/translations/core_de.ts, and takes out those that are gone.
+Of the studio's own sources those of its errors and of a job's progress, where they are not translated by tr().
 
 Core speaks English and knows no language of a screen. A sentence there is a chain of texts and values,
 `path + ": is no take"`; here it becomes a pattern, "%1: is no take". The studio finds the pattern that a sentence came
@@ -23,11 +24,16 @@ TOKEN = re.compile(r'//[^\n]*|/\*.*?\*/|R"(?P<d>[^(]*)\(.*?\)(?P=d)"|"(?:\\.|[^"
 CLOSING = {"(": ")", "{": "}", "[": "]"}
 ENDS_CHAIN = set(", ; = return ? : << && || == != < > <= >= += case".split())
 # What is never shown: broken promises of our own, what a table or a statement of a file says.
-SKIPPED_CALLS = {"require", "static_assert", "NOCTULE_REQUIRE"}
+SKIPPED_CALLS = {"require", "static_assert", "NOCTULE_REQUIRE", "tr", "translate"}
 NO_SENTENCE = re.compile(r"[<>{}$]|SELECT|ORDER BY|INSERT|CREATE|DELETE|PRAGMA|UPDATE|http|^\s*--|^#|\w+,\w+,|_[a-z]|::|\\")
 SKIPPED_FILES = re.compile(r"parameters?\.(cpp|h)$|_json\.cpp$|_csv\.cpp$")  # parameters are told by --batch alone
 # Rooms whose single words stand on the screen: heads of tables and labels of plots.
 ROOMS_OF_WORDS = {"core/report"}
+
+# The calls in which the studio's sources speak as core does; all else there is translated by tr().
+STUDIO_SPEAKS = {"Error", "progress"}
+# The calls that name a stage of a job, with a single word too: "Writing", "Drawing %1".
+TELL_OF_WORK = {"progress", "RowProgress"}
 
 # What the sources put together of parts: grades, and joints and segments with their sides (core/body/text.cpp).
 GRADES = ("Good", "Usable", "Not usable")
@@ -35,8 +41,18 @@ MIDDLE = ("Pelvis", "Lower back", "Abdomen", "Upper back", "Chest", "Base of the
 SIDED = ("clavicle", "shoulder", "upper arm", "elbow", "forearm", "wrist", "hand", "hip", "thigh", "knee", "shin", "ankle",
          "foot", "toes", "arm", "leg")
 FATES = ("used", "rejected by the gate", "heard but unused", "hidden by the body", "missing")
-COMPOSED = (*GRADES, *MIDDLE, *(f"{side} {part}" for side in ("Left", "Right") for part in SIDED),
-            *(f"{fate} %1" for fate in FATES), "root given", "source %1", "board %1")
+# What is said of a motion's figure and of its zero pose (core/figure).
+OF_A_FIGURE = ("unit %1", "1 unit = %1 m", "%1 joints by name", "%1 by the bone map", "%1 by the bone map by name",
+               "%1 of them by shape", "T pose", "A pose", "arms down", "sitting", "bent trunk", "not a standing pose")
+# How a system says why a file or an address cannot be had (strerror).
+OF_THE_SYSTEM = ("Permission denied", "Operation not permitted", "No such file or directory", "Not a directory",
+                 "Is a directory", "File exists", "File name too long", "Directory not empty", "No space left on device",
+                 "Disk quota exceeded", "Read-only file system", "Input/output error", "Device or resource busy",
+                 "Too many open files", "No such device", "Invalid argument", "Connection refused",
+                 "Connection reset by peer", "Connection timed out", "Network is unreachable", "No route to host",
+                 "Address already in use", "Cannot assign requested address", "Broken pipe")
+COMPOSED = (*OF_THE_SYSTEM, *GRADES, *MIDDLE, *(f"{side} {part}" for side in ("Left", "Right") for part in SIDED),
+            *(f"{fate} %1" for fate in FATES), "root given", "source %1", "board %1", *OF_A_FIGURE)
 # text::plural(count, "frame", "frames") says "%1 frames".
 PLURAL = re.compile(r'\bplural\([^;]*?,\s*"([a-z][^"]*)",\s*"([a-z][^"]*)"\)')
 
@@ -48,14 +64,19 @@ def unescaped(token):
 
 
 class Chains:
-    """Every chain of texts and values joined by + in one source."""
+    """Every chain of texts and values joined by + in one source, or in its calls of the names `within`."""
 
-    def __init__(self, source):
+    def __init__(self, source, within=None):
         source = re.sub(r"^\s*#.*$", "", source, flags=re.M)
         self.tokens = [m.group() for m in TOKEN.finditer(source)
                        if not m.group().isspace() and not m.group().startswith(("//", "/*"))]
         self.found = []
-        self.walk(0, len(self.tokens))
+        if within is None:
+            self.walk(0, len(self.tokens))
+            return
+        for at, (name, opens) in enumerate(zip(self.tokens, self.tokens[1:])):
+            if name in within and opens in CLOSING:
+                self.walk(at + 2, self.end_of(at + 1, len(self.tokens)) - 1)
 
     def end_of(self, at, end):
         depth, at = 1, at + 1
@@ -144,18 +165,24 @@ def is_sentence(text, alternative, room):
 
 def sentences():
     """Room of each pattern, in the order of the sources."""
-    listed = subprocess.run(["git", "ls-files", "core/*.cpp", "core/*.h", "devices/*.cpp", "devices/*.h"], cwd=ROOT,
-                            capture_output=True, text=True, check=True).stdout.split()
+    listed = subprocess.run(["git", "ls-files", *(f"{room}/*.{kind}" for room in ("core", "devices", "ui", "app/studio")
+                                                  for kind in ("cpp", "h"))],
+                            cwd=ROOT, capture_output=True, text=True, check=True).stdout.split()
     found = {}
     for name in listed:
         if SKIPPED_FILES.search(name):
             continue
         room = str(pathlib.Path(name).parent)
         source = (ROOT / name).read_text()
+        is_studio = not name.startswith(("core/", "devices/"))
         for counted in PLURAL.findall(source):
             for word in counted:
                 found.setdefault(f"%1 {word}", "core/body")
-        for parts, alternative in Chains(source).found:
+        for parts, _ in Chains(source, TELL_OF_WORK).found:
+            for text in texts_of(pattern(parts)):
+                if re.fullmatch("[A-Za-z]+( %1)?", text):
+                    found.setdefault(text, room)
+        for parts, alternative in Chains(source, STUDIO_SPEAKS if is_studio else None).found:
             for text in texts_of(pattern(parts)):
                 if is_sentence(text, alternative, room):
                     found.setdefault(text, room)

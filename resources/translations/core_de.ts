@@ -2,6 +2,21 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE">
 <context>
+    <name>app/studio</name>
+    <message>
+        <source>Install Noctule again</source>
+        <translation>Noctule neu installieren</translation>
+    </message>
+    <message>
+        <source>Preparing the motion</source>
+        <translation>Bewegung wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>The sample motion is not part of this program</source>
+        <translation>Die Beispielbewegung ist nicht Teil dieses Programms</translation>
+    </message>
+</context>
+<context>
     <name>core/acoustics</name>
     <message>
         <source>A pulse interval of %1 samples is not 1 ms to 1 s</source>
@@ -110,6 +125,14 @@
 <context>
     <name>core/body</name>
     <message>
+        <source>%1 by the bone map</source>
+        <translation>%1 nach der Knochenzuordnung</translation>
+    </message>
+    <message>
+        <source>%1 by the bone map by name</source>
+        <translation>%1 nach der Knochenzuordnung, die anderen nach ihrem Namen</translation>
+    </message>
+    <message>
         <source>%1 distance</source>
         <translation>%1 Entfernung</translation>
     </message>
@@ -146,8 +169,16 @@
         <translation>%1 Gelenke sind</translation>
     </message>
     <message>
+        <source>%1 joints by name</source>
+        <translation>%1 Gelenke nach ihrem Namen</translation>
+    </message>
+    <message>
         <source>%1 lists %2 freedoms, which does not fit its type</source>
         <translation>%1 führt %2 Freiheiten auf, was nicht zu seiner Art passt</translation>
+    </message>
+    <message>
+        <source>%1 of them by shape</source>
+        <translation>%1 davon nach ihrer Gestalt</translation>
     </message>
     <message>
         <source>%1 reading</source>
@@ -182,8 +213,20 @@
         <translation>%1: die Grenzen von %2 sind vertauscht</translation>
     </message>
     <message>
+        <source>1 unit = %1 m</source>
+        <translation>1 Einheit = %1 m</translation>
+    </message>
+    <message>
+        <source>A pose</source>
+        <translation>A-Pose</translation>
+    </message>
+    <message>
         <source>Abdomen</source>
         <translation>Bauch</translation>
+    </message>
+    <message>
+        <source>Address already in use</source>
+        <translation>Adresse ist schon in Gebrauch</translation>
     </message>
     <message>
         <source>Ball joints have three, universal two, hinges one, free and fixed none</source>
@@ -192,6 +235,26 @@
     <message>
         <source>Base of the neck</source>
         <translation>Halsansatz</translation>
+    </message>
+    <message>
+        <source>Broken pipe</source>
+        <translation>Verbindung ist abgerissen</translation>
+    </message>
+    <message>
+        <source>Cannot assign requested address</source>
+        <translation>Adresse ist hier nicht verfügbar</translation>
+    </message>
+    <message>
+        <source>Connection refused</source>
+        <translation>Verbindung verweigert</translation>
+    </message>
+    <message>
+        <source>Connection reset by peer</source>
+        <translation>Verbindung von der Gegenseite beendet</translation>
+    </message>
+    <message>
+        <source>Connection timed out</source>
+        <translation>Verbindung kam nicht rechtzeitig zustande</translation>
     </message>
     <message>
         <source>Correct the axis</source>
@@ -210,6 +273,26 @@
         <translation>Wenigstens die Wurzel beschreiben</translation>
     </message>
     <message>
+        <source>Device or resource busy</source>
+        <translation>Gerät ist belegt</translation>
+    </message>
+    <message>
+        <source>Directory not empty</source>
+        <translation>Ordner ist nicht leer</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>zugeteilter Platz ist verbraucht</translation>
+    </message>
+    <message>
+        <source>File exists</source>
+        <translation>Datei ist schon vorhanden</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>Dateiname ist zu lang</translation>
+    </message>
+    <message>
         <source>Give every joint a name</source>
         <translation>Jedem Gelenk einen Namen geben</translation>
     </message>
@@ -220,6 +303,18 @@
     <message>
         <source>Good</source>
         <translation>Gut</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>Lese- oder Schreibfehler</translation>
+    </message>
+    <message>
+        <source>Invalid argument</source>
+        <translation>ungültige Angabe</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>ein Ordner</translation>
     </message>
     <message>
         <source>Left ankle</source>
@@ -294,6 +389,30 @@
         <translation>Unterer Rücken</translation>
     </message>
     <message>
+        <source>Network is unreachable</source>
+        <translation>Netz ist nicht erreichbar</translation>
+    </message>
+    <message>
+        <source>No route to host</source>
+        <translation>Rechner ist nicht erreichbar</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>kein Platz mehr auf dem Datenträger</translation>
+    </message>
+    <message>
+        <source>No such device</source>
+        <translation>Gerät nicht gefunden</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>Datei oder Ordner nicht gefunden</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>kein Ordner</translation>
+    </message>
+    <message>
         <source>Not usable</source>
         <translation>Nicht brauchbar</translation>
     </message>
@@ -302,8 +421,20 @@
         <translation>Nur Gelenk 0 darf frei sein</translation>
     </message>
     <message>
+        <source>Operation not permitted</source>
+        <translation>nicht erlaubt</translation>
+    </message>
+    <message>
         <source>Pelvis</source>
         <translation>Becken</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>keine Berechtigung</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>Datenträger ist schreibgeschützt</translation>
     </message>
     <message>
         <source>Right ankle</source>
@@ -370,6 +501,14 @@
         <translation>Rechtes Handgelenk</translation>
     </message>
     <message>
+        <source>T pose</source>
+        <translation>T-Pose</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>zu viele offene Dateien</translation>
+    </message>
+    <message>
         <source>Upper back</source>
         <translation>Oberer Rücken</translation>
     </message>
@@ -434,6 +573,10 @@
         <translation>Wurzel vorgegeben</translation>
     </message>
     <message>
+        <source>sitting</source>
+        <translation>sitzend</translation>
+    </message>
+    <message>
         <source>source %1</source>
         <translation>Quelle %1</translation>
     </message>
@@ -448,6 +591,10 @@
     <message>
         <source>two joints are named %1</source>
         <translation>zwei Gelenke heißen %1</translation>
+    </message>
+    <message>
+        <source>unit %1</source>
+        <translation>Einheit %1</translation>
     </message>
     <message>
         <source>upper arm</source>
@@ -737,6 +884,10 @@
     <message>
         <source>Move for 30 to 60 seconds</source>
         <translation>30 bis 60 Sekunden lang bewegen</translation>
+    </message>
+    <message>
+        <source>Movement</source>
+        <translation>Bewegung</translation>
     </message>
     <message>
         <source>No distance took part in %1, so lengths and places rest on accelerations alone</source>
@@ -1748,6 +1899,10 @@
     <message>
         <source>Check the disk and try again</source>
         <translation>Den Datenträger prüfen und erneut versuchen</translation>
+    </message>
+    <message>
+        <source>Drawing %1</source>
+        <translation>%1 wird gezeichnet</translation>
     </message>
     <message>
         <source>Free some space there or choose another folder</source>
@@ -2782,6 +2937,14 @@
     <message>
         <source>Rates are rad/s, accelerations m/s^2 with gravity, as MT Manager writes them</source>
         <translation>Drehraten sind rad/s, Beschleunigungen m/s^2 mit Schwerkraft, wie MT Manager sie schreibt</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>Readings</source>
+        <translation>Messwerte</translation>
     </message>
     <message>
         <source>Record with inertial messages switched on</source>
@@ -3905,6 +4068,10 @@
         <translation>Sie mit dieser Version öffnen oder die Knochen neu zuordnen</translation>
     </message>
     <message>
+        <source>Reading %1</source>
+        <translation>%1 wird gelesen</translation>
+    </message>
+    <message>
         <source>Repair the mesh: it must be the closed surface of a body</source>
         <translation>Das Netz reparieren: es muss die geschlossene Oberfläche eines Körpers sein</translation>
     </message>
@@ -4035,6 +4202,10 @@
 <context>
     <name>core/orientation</name>
     <message>
+        <source>Orientation</source>
+        <translation>Orientierung</translation>
+    </message>
+    <message>
         <source>complementary filter of Miller 2004, equations 1 to 14</source>
         <translation>Komplementärfilter von Miller 2004, Gleichungen 1 bis 14</translation>
     </message>
@@ -4056,6 +4227,10 @@
     <message>
         <source>No walking was found: the performer is believed to stand upright in the first still second.</source>
         <translation>Kein Gehen wurde gefunden: es wird angenommen, dass der Darsteller in der ersten ruhigen Sekunde aufrecht steht.</translation>
+    </message>
+    <message>
+        <source>Poses</source>
+        <translation>Posen</translation>
     </message>
     <message>
         <source>Sensor %1 does not read while the performer stands and is left out.</source>
@@ -4369,6 +4544,10 @@
         <translation>Beschleunigungssensoren und Gyroskope von %1 Platinen</translation>
     </message>
     <message>
+        <source>Aligning</source>
+        <translation>Ausrichten</translation>
+    </message>
+    <message>
         <source>Anchor %1 contradicts the other anchors: it was moved, or its place was surveyed wrongly. Survey the room again.</source>
         <translation>Anker %1 widerspricht den anderen Ankern: er wurde bewegt, oder sein Ort wurde falsch eingemessen. Den Raum neu einmessen.</translation>
     </message>
@@ -4421,6 +4600,10 @@
         <translation>Prüfen, wann sie beginnt (--align)</translation>
     </message>
     <message>
+        <source>Checking</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
         <source>Choose --from and --to within the take's duration</source>
         <translation>--from und --to innerhalb der Dauer der Aufnahme wählen</translation>
     </message>
@@ -4445,6 +4628,10 @@
         <translation>Befehle beim Folgen</translation>
     </message>
     <message>
+        <source>Comparing</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
         <source>Comparing runs</source>
         <translation>Ergebnisse werden verglichen</translation>
     </message>
@@ -4463,6 +4650,10 @@
     <message>
         <source>Distances between suits are not used, each one's poses are its own: %1. %2.</source>
         <translation>Abstände zwischen Anzügen werden nicht genutzt, jeder hat nur seine eigenen Posen: %1. %2.</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
     </message>
     <message>
         <source>Error after the rest poses, root mean square.</source>
@@ -4495,6 +4686,10 @@
     <message>
         <source>Finding the clocks</source>
         <translation>Uhren werden gesucht</translation>
+    </message>
+    <message>
+        <source>Following %1</source>
+        <translation>%1 wird verfolgt</translation>
     </message>
     <message>
         <source>Free some space there and process the take</source>
@@ -4599,6 +4794,10 @@
     <message>
         <source>Leave this subject out with --subjects, or record again</source>
         <translation>Diese Person mit --subjects auslassen oder neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>Listening</source>
+        <translation>Zuhören</translation>
     </message>
     <message>
         <source>Look at the take with inspect</source>
@@ -4797,6 +4996,10 @@
         <translation>Beim Import angeben, wo sie sitzen (--map); einzelne Sensoren brauchen keinen Körper (Verb orient)</translation>
     </message>
     <message>
+        <source>Sensor %1</source>
+        <translation>Sensor %1</translation>
+    </message>
+    <message>
         <source>Sensor %1 has neither readings nor attitudes and is left out.</source>
         <translation>Sensor %1 hat weder Messwerte noch Lagen und wird ausgelassen.</translation>
     </message>
@@ -4807,6 +5010,10 @@
     <message>
         <source>Set it between the take's start and end</source>
         <translation>Ihn zwischen Anfang und Ende der Aufnahme setzen</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Glättung</translation>
     </message>
     <message>
         <source>Speed of sound</source>
@@ -4983,6 +5190,10 @@
     <message>
         <source>Write metres, centimetres, millimetres or inches</source>
         <translation>Meter, Zentimeter, Millimeter oder Zoll schreiben</translation>
+    </message>
+    <message>
+        <source>Writing</source>
+        <translation>Schreiben</translation>
     </message>
     <message>
         <source>`noctule --batch inspect` lists its subjects</source>
@@ -5498,6 +5709,10 @@
     <message>
         <source>Copy the file to a folder where you may write</source>
         <translation>Die Datei in einen Ordner kopieren, in dem geschrieben werden darf</translation>
+    </message>
+    <message>
+        <source>Copying</source>
+        <translation>Kopieren</translation>
     </message>
     <message>
         <source>Correct subjects in the take's meta table, or remove it</source>
@@ -6474,10 +6689,6 @@
         <translation>Sitz von %1 Platinen aus %2 mit %3 und %4</translation>
     </message>
     <message>
-        <source>Movement</source>
-        <translation>Bewegung</translation>
-    </message>
-    <message>
         <source>NEES</source>
         <translation>NEES</translation>
     </message>
@@ -6704,10 +6915,6 @@
     <message>
         <source>Sigma is that against the other anchors, along the worst axis.</source>
         <translation>Sigma gilt gegen die anderen Anker, entlang der schlechtesten Achse.</translation>
-    </message>
-    <message>
-        <source>Smoothing</source>
-        <translation>Glättung</translation>
     </message>
     <message>
         <source>Software</source>
@@ -7784,6 +7991,10 @@
         <translation>Link %1 hängt unter sich selbst: der Roboter hat eine Schleife</translation>
     </message>
     <message>
+        <source>mapping</source>
+        <translation>Übertragen</translation>
+    </message>
+    <message>
         <source>no arm of 4 to 7 joints is known by its names (%1 found)</source>
         <translation>kein Arm mit 4 bis 7 Gelenken ist an seinen Namen zu erkennen (%1 gefunden)</translation>
     </message>
@@ -8373,6 +8584,10 @@
     <message>
         <source>Repair or cut that frame</source>
         <translation>Dieses Bild reparieren oder herausschneiden</translation>
+    </message>
+    <message>
+        <source>Sampling</source>
+        <translation>Abtasten</translation>
     </message>
     <message>
         <source>Set its segment to null and its position to that in the world</source>
@@ -9694,6 +9909,91 @@
     <message>
         <source>the network does not know its name now</source>
         <translation>das Netz kennt seinen Namen gerade nicht</translation>
+    </message>
+</context>
+<context>
+    <name>ui/models</name>
+    <message>
+        <source>%1: does not say who wears the suit</source>
+        <translation>%1: sagt nicht, wer den Anzug trägt</translation>
+    </message>
+    <message>
+        <source>%1: is a log that only Xsens' own programs read</source>
+        <translation>%1: ist ein Protokoll, das nur die Programme von Xsens lesen</translation>
+    </message>
+    <message>
+        <source>%1: is no recording of sensors</source>
+        <translation>%1: ist keine Aufzeichnung von Sensoren</translation>
+    </message>
+    <message>
+        <source>Choose another folder for sessions in the preferences</source>
+        <translation>In den Einstellungen einen anderen Ordner für Sitzungen wählen</translation>
+    </message>
+    <message>
+        <source>Delete it</source>
+        <translation>Die Datei löschen</translation>
+    </message>
+    <message>
+        <source>Export it as text in MT Manager, and import that</source>
+        <translation>Es in MT Manager als Text exportieren und diesen importieren</translation>
+    </message>
+    <message>
+        <source>It begins again when the suit is back</source>
+        <translation>Er beginnt neu, sobald der Anzug wieder da ist</translation>
+    </message>
+    <message>
+        <source>Recordings are MATLAB, MVNX, MT Manager's text, x-IMU3, OpenSense .sto, and tables with a map</source>
+        <translation>Aufzeichnungen sind MATLAB, MVNX, Text von MT Manager, x-IMU3, OpenSense .sto und Tabellen mit Zuordnung</translation>
+    </message>
+    <message>
+        <source>Switch it off and on again, then look again</source>
+        <translation>Sie aus- und wieder einschalten, dann erneut suchen</translation>
+    </message>
+    <message>
+        <source>The driver box sends no sound</source>
+        <translation>Die Treiberbox sendet keinen Ton</translation>
+    </message>
+    <message>
+        <source>The stream broke off before the step was kept</source>
+        <translation>Der Datenstrom brach ab, bevor der Schritt gesichert war</translation>
+    </message>
+    <message>
+        <source>no performer</source>
+        <translation>kein Darsteller</translation>
+    </message>
+</context>
+<context>
+    <name>ui/views/export</name>
+    <message>
+        <source>%1: holds several performers</source>
+        <translation>%1: enthält mehrere Darsteller</translation>
+    </message>
+    <message>
+        <source>%1: the folder cannot be made</source>
+        <translation>%1: der Ordner lässt sich nicht anlegen</translation>
+    </message>
+    <message>
+        <source>Choose another folder, or look at its rights</source>
+        <translation>Einen anderen Ordner wählen oder seine Rechte prüfen</translation>
+    </message>
+    <message>
+        <source>Free some space on the disk</source>
+        <translation>Platz auf dem Datenträger schaffen</translation>
+    </message>
+    <message>
+        <source>There is no room for a temporary file</source>
+        <translation>Für eine temporäre Datei ist kein Platz</translation>
+    </message>
+</context>
+<context>
+    <name>ui/views/session</name>
+    <message>
+        <source>%1 has no result yet</source>
+        <translation>%1 hat noch kein Ergebnis</translation>
+    </message>
+    <message>
+        <source>Process it</source>
+        <translation>Die Aufnahme verarbeiten</translation>
     </message>
 </context>
 </TS>

@@ -42,13 +42,16 @@ std::optional<QStringList> valuesIn(const QString& text, const QStringList& lite
     return found;
 }
 
-/// "3.25" with the decimal sign of the screen.
-QString numberInWords(const QString& text) {
-    static const QRegularExpression number("^([−+-]?\\d+)\\.(\\d+)((?: ?[^\\s\\d.]{1,4})?)$");
-    const auto match = number.match(text);
-    return match.hasMatch()
-               ? match.captured(1) + QLocale().decimalPoint() + match.captured(2) + match.captured(3)
-               : text;
+/// Numbers with the decimal sign of the screen: "3.25", "0.9 mm (4.5 sigma)", "1.5 −0.2 0.0". In names
+/// ("walk 1.5") and versions ("1.2.3") the point stays.
+QString numbersInWords(const QString& text) {
+    static const QRegularExpression number(
+        "(?:^|(?<=, |: |; |± |– |\\d |\\())([−+-]?\\d+)\\.(\\d+)"
+        "(?=(?: ?[^\\s\\d.,:;()/][^\\s.,:;()]{0,7})?(?:$|[,:;] | [±–(]| [−+-]?\\d|\\)))");
+    static const QRegularExpression share("^(\\d+) of (\\d+)$");
+    return QString(text)
+        .replace(number, "\\1" + QString(QLocale().decimalPoint()) + "\\2")
+        .replace(share, "\\1 von \\2");
 }
 
 SentencePatterns readPatterns() {
@@ -147,7 +150,7 @@ SentencePatterns::Found SentencePatterns::findAsWritten(const QString& english, 
     if (english.size() > 1 && english.endsWith('.'))
         if (const Found inner = find(english.chopped(1), depth + 1); inner.letters > best.letters)
             best = {inner.words + '.', inner.letters};
-    return best.letters > 0 ? best : Found{numberInWords(english), 0};
+    return best.letters > 0 ? best : Found{numbersInWords(english), 0};
 }
 
 SentencePatterns::Found SentencePatterns::byPattern(const QString& english, int depth) const {
@@ -208,8 +211,13 @@ SentencePatterns::Found SentencePatterns::asList(const QString& english, int dep
         const Found known = find(name, depth + 1);
         if (known.letters < lettersOf(name))
             return {english, 0};
-        list.words += known.words + (bracket < 0 ? QString() : item.mid(bracket));
+        list.words += known.words;
         list.letters += known.letters;
+        if (bracket >= 0) {
+            const Found inner = find(item.mid(bracket + 2).chopped(1), depth + 1);
+            list.words += " (" + inner.words + ')';
+            list.letters += inner.letters;
+        }
         if (!is_last)
             list.words += next.captured() == ", " ? ", " : " und ";
         at = is_last ? -1 : next.capturedEnd();

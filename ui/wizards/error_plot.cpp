@@ -86,7 +86,7 @@ void ErrorPlot::paintAxis(QPainter& painter, const Axis& axis) const {
         painter.setPen(tokens.line);
         painter.drawLine(QPointF(x, 0), QPointF(x, axis.bottom));
         painter.setPen(tokens.t3);
-        const QString unit = last ? ' ' + QString::fromStdString(errors_.unit) : QString();
+        const QString unit = last ? ' ' + coreWords(errors_.unit) : QString();
         painter.drawText(
             QRectF(x - theme.px(50), axis.bottom + theme.px(4), theme.px(last ? 66 : 100), theme.px(18)),
             last ? Qt::AlignRight : Qt::AlignHCenter, numberText(value, decimals) + unit);

@@ -78,10 +78,56 @@ TEST_F(CoreWords, ValuesHaveTheDecimalSignOfTheScreen) {
     EXPECT_EQ(patterns_.translated("lasts 3.25 s, version 1.2.3"), "dauert 3,25 s, Fassung 1.2.3");
 }
 
+TEST_F(CoreWords, NumbersInsideOfAValueHaveThatSignToo) {
+    const std::pair<const char*, const char*> texts[] = {{"4.5 sigma", "4,5 sigma"},
+                                                         {"1.0 2.0 −3.1", "1,0 2,0 −3,1"},
+                                                         {"2026-11-18, 0.9 mm", "2026-11-18, 0,9 mm"},
+                                                         {"0.9 mm (4.5 sigma)", "0,9 mm (4,5 sigma)"},
+                                                         {"0.31 ± 0.02", "0,31 ± 0,02"},
+                                                         {"9.81 m/s²", "9,81 m/s²"},
+                                                         {"12 of 18", "12 von 18"}};
+    for (const auto& [english, german] : texts)
+        EXPECT_EQ(coreWords(english).toStdString(), german);
+}
+
+TEST_F(CoreWords, NamesVersionsAndAddressesKeepTheirPoint) {
+    for (const char* name : {"walk 1.5", "walk_1.5.bvh", "/tmp/walk 1.5/a.bvh", "1.5/a.bvh", "noctule 0.1.0",
+                             "192.168.1.5", "3 of hearts.bvh"})
+        EXPECT_EQ(coreWords(name).toStdString(), name);
+}
+
+TEST_F(CoreWords, WhatStandsInBracketsBehindANameIsGerman) {
+    EXPECT_EQ(coreWords("Source 2 (Left hand)").toStdString(), "Quelle 2 (Linke Hand)");
+}
+
+TEST_F(CoreWords, AFigureIsDescribedInGerman) {
+    EXPECT_EQ(
+        coreWords("walk: 123 frames at 60.00 per second; a figure 1.75 m tall (1 unit = 0.01 m), y up; "
+                  "19 joints by name; zero pose: T pose")
+            .toStdString(),
+        "walk: 123 Bilder mit 60,00 je Sekunde; eine Figur von 1,75 m Größe (1 Einheit = 0,01 m), y nach "
+        "oben; 19 Gelenke nach ihrem Namen; Nullpose: T-Pose");
+}
+
 TEST_F(CoreWords, BoardsOfFindingsAreGerman) {
     EXPECT_EQ(
         coreWords("Board 6, Left forearm, is silent in the rest pose and keeps its old values").toStdString(),
         "Platine 6, Linker Unterarm, schweigt in der Ruhehaltung und behält ihre alten Werte");
+}
+
+TEST_F(CoreWords, StagesOfAJobAreGerman) {
+    EXPECT_EQ(coreWords("Writing").toStdString(), "Schreiben");
+    EXPECT_EQ(coreWords("Drawing walk.avi").toStdString(), "walk.avi wird gezeichnet");
+    EXPECT_EQ(coreWords("Preparing the motion").toStdString(), "Bewegung wird vorbereitet");
+}
+
+TEST_F(CoreWords, ErrorsOfTheStudioAndReasonsOfTheSystemAreGerman) {
+    EXPECT_EQ(coreWords(Error{ErrorKind::kDisk, "/mnt/takes: cannot be made: Permission denied",
+                              "Choose another folder for sessions in the preferences"})
+                  .toStdString(),
+              "/mnt/takes: lässt sich nicht anlegen: keine Berechtigung. In den Einstellungen einen anderen "
+              "Ordner für Sitzungen wählen");
+    EXPECT_EQ(coreWords("The driver box sends no sound").toStdString(), "Die Treiberbox sendet keinen Ton");
 }
 
 TEST_F(CoreWords, TagsAndStylesOfADocumentStayTextsDoNot) {

@@ -48,22 +48,6 @@ QString withoutOptions(const QString& warning) {
     return text.endsWith('.') ? text : text + '.';
 }
 
-/// What core says of a zero pose, in the language of the studio.
-QString zeroPoseText(const std::string& words) {
-    const std::pair<const char*, const char*> texts[] = {
-        {"T pose", QT_TRANSLATE_NOOP("noctule::ui::MotionDialog", "T pose")},
-        {"A pose", QT_TRANSLATE_NOOP("noctule::ui::MotionDialog", "A pose")},
-        {"arms down", QT_TRANSLATE_NOOP("noctule::ui::MotionDialog", "arms down")},
-        {"sitting", QT_TRANSLATE_NOOP("noctule::ui::MotionDialog", "sitting")},
-        {"bent trunk", QT_TRANSLATE_NOOP("noctule::ui::MotionDialog", "bent trunk")},
-        {"bones along one axis", QT_TRANSLATE_NOOP("noctule::ui::MotionDialog", "bones along one axis")},
-        {"not a standing pose", QT_TRANSLATE_NOOP("noctule::ui::MotionDialog", "not a standing pose")}};
-    for (const auto& [said, text] : texts)
-        if (words == said)
-            return MotionDialog::tr(text);
-    return QString::fromStdString(words);
-}
-
 }  // namespace
 
 MotionDialog::MotionDialog(Studio& studio, const QString& path, QWidget* parent)
@@ -349,7 +333,7 @@ void MotionDialog::showFacts() {
     const int frames = static_cast<int>(motion ? motion->clip.frames.size() : file_.document->frameCount());
     frames_->setText(
         tr("%1 at %2 per second", "frames, rate").arg(countText(frames), numberText(1 / step_s, 1)));
-    rest_->setText(motion ? zeroPoseText(motion->rest_pose) : QString());
+    rest_->setText(motion ? coreWords(motion->rest_pose) : QString());
     frame->setRange(0, std::max(0, frames - 1));
     up->setCurrentIndex(rowOf(*up, static_cast<int>(hints_.up)));
     unit->setCurrentIndex(rowOf(*unit, static_cast<int>(hints_.unit)));
