@@ -2597,10 +2597,6 @@
         <translation>%1 wurde nicht importiert</translation>
     </message>
     <message>
-        <source>%1 is in use; undo with Ctrl+Z.</source>
-        <translation>%1 ist in Gebrauch; rückgängig mit Strg+Z.</translation>
-    </message>
-    <message>
         <source>Export the calibration in use</source>
         <translation>Verwendete Kalibrierung exportieren</translation>
     </message>
@@ -2667,6 +2663,11 @@
     <message>
         <source>Finish or leave this calibration, then choose another suit.</source>
         <translation>Diese Kalibrierung beenden oder verlassen, dann einen anderen Anzug wählen.</translation>
+    </message>
+    <message>
+        <source>%1 is in use; undo with %2.</source>
+        <comment>file, key</comment>
+        <translation>%1 ist in Gebrauch; rückgängig mit %2.</translation>
     </message>
 </context>
 <context>
@@ -4524,7 +4525,7 @@
     </message>
     <message>
         <source>Arrow keys move the chosen joint, with Shift by a centimetre; Page Up and Page Down move it backward and forward; comma and full stop choose another.</source>
-        <translation>Pfeiltasten bewegen das gewählte Gelenk, mit Umschalt um einen Zentimeter; Bild auf und Bild ab bewegen es nach hinten und nach vorn; Komma und Punkt wählen ein anderes.</translation>
+        <translation>Pfeiltasten bewegen das gewählte Gelenk, mit Umschalt um einen Zentimeter; Bild aufwärts und Bild abwärts bewegen es nach hinten und nach vorn; Komma und Punkt wählen ein anderes.</translation>
     </message>
     <message>
         <source>From the front</source>
@@ -4546,8 +4547,9 @@
         <translation>Diagramme</translation>
     </message>
     <message>
-        <source>Plus and minus zoom, Ctrl and the arrow keys pan, Ctrl+0 shows the whole take</source>
-        <translation>Plus und Minus vergrößern und verkleinern, Strg und Pfeiltasten verschieben, Strg+0 zeigt die ganze Aufnahme</translation>
+        <source>Plus and minus zoom, %1 and %2 pan, %3 shows the whole take</source>
+        <comment>keys</comment>
+        <translation>Plus und Minus vergrößern und verkleinern, %1 und %2 verschieben, %3 zeigt die ganze Aufnahme</translation>
     </message>
 </context>
 <context>
@@ -5242,34 +5244,6 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Say which joints are which first.</source>
         <translation>Zuerst die Gelenke zuordnen.</translation>
-    </message>
-    <message>
-        <source>T pose</source>
-        <translation>T-Pose</translation>
-    </message>
-    <message>
-        <source>A pose</source>
-        <translation>A-Pose</translation>
-    </message>
-    <message>
-        <source>arms down</source>
-        <translation>Arme hängen</translation>
-    </message>
-    <message>
-        <source>sitting</source>
-        <translation>sitzend</translation>
-    </message>
-    <message>
-        <source>bent trunk</source>
-        <translation>Rumpf gebeugt</translation>
-    </message>
-    <message>
-        <source>bones along one axis</source>
-        <translation>Knochen entlang einer Achse</translation>
-    </message>
-    <message>
-        <source>not a standing pose</source>
-        <translation>keine stehende Pose</translation>
     </message>
 </context>
 <context>
@@ -8105,10 +8079,6 @@ Median; gut: unter %1</translation>
         <translation>Trotzdem sichern und verwenden</translation>
     </message>
     <message>
-        <source>Saved and in use. New takes are made with it; undo with Ctrl+Z.</source>
-        <translation>Gesichert und verwendet. Neue Aufnahmen entstehen damit; rückgängig mit Strg+Z.</translation>
-    </message>
-    <message>
         <source>Nothing is changed by a check.</source>
         <translation>Eine Kontrolle ändert nichts.</translation>
     </message>
@@ -8119,10 +8089,6 @@ Median; gut: unter %1</translation>
     <message>
         <source>Saved. Takes are made with another calibration now; step Calibrate has the list.</source>
         <translation>Gesichert. Aufgenommen wird jetzt mit einer anderen Kalibrierung; die Liste steht im Schritt Kalibrieren.</translation>
-    </message>
-    <message>
-        <source>Will be saved as %1, and later takes are made with it; undo with Ctrl+Z.</source>
-        <translation>Wird als %1 gesichert, und spätere Aufnahmen entstehen mit ihr; rückgängig mit Strg+Z.</translation>
     </message>
     <message>
         <source>Process takes again</source>
@@ -8139,6 +8105,14 @@ Median; gut: unter %1</translation>
             <numerusform>%n weiteres</numerusform>
             <numerusform>%n weitere</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Saved and in use. New takes are made with it; undo with %1.</source>
+        <translation>Gesichert und verwendet. Neue Aufnahmen entstehen damit; rückgängig mit %1.</translation>
+    </message>
+    <message>
+        <source>Will be saved as %1, and later takes are made with it; undo with %2.</source>
+        <translation>Wird als %1 gesichert, und spätere Aufnahmen entstehen mit ihr; rückgängig mit %2.</translation>
     </message>
 </context>
 <context>
@@ -8799,6 +8773,14 @@ Median; gut: unter %1</translation>
         <source>Reading the robot’s commands</source>
         <translation>Befehle des Roboters werden gelesen</translation>
     </message>
+    <message>
+        <source>The take&apos;s person</source>
+        <translation>Die Person der Aufnahme</translation>
+    </message>
+    <message>
+        <source>The performer</source>
+        <translation>Der Darsteller</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::RobotPage</name>
@@ -9429,10 +9411,6 @@ Median; gut: unter %1</translation>
         <translation>Diese Orte trotzdem verwenden</translation>
     </message>
     <message>
-        <source>In use in %1; undo with Ctrl+Z. Results that it has were made with the earlier places.</source>
-        <translation>In %1 in Gebrauch; mit Strg+Z rückgängig. Ergebnisse, die sie hat, wurden mit den früheren Orten gemacht.</translation>
-    </message>
-    <message>
         <source>Poses would be wrong where the cards say so. Mend what is named first.</source>
         <translation>Haltungen wären dort falsch, wo die Karten es sagen. Zuerst beheben, was genannt ist.</translation>
     </message>
@@ -9459,6 +9437,10 @@ Median; gut: unter %1</translation>
     <message>
         <source>%1 is written.</source>
         <translation>%1 ist geschrieben.</translation>
+    </message>
+    <message>
+        <source>In use in %1; undo with %2. Results that it has were made with the earlier places.</source>
+        <translation>In %1 in Gebrauch; mit %2 rückgängig. Ergebnisse, die sie hat, wurden mit den früheren Orten gemacht.</translation>
     </message>
 </context>
 <context>
@@ -10068,16 +10050,8 @@ Median; gut: unter %1</translation>
         <translation>Kontakt des linken oder rechten Fußes am Zeiger</translation>
     </message>
     <message>
-        <source>Up, Down</source>
-        <translation>Auf, Ab</translation>
-    </message>
-    <message>
         <source>The contact before or after it</source>
         <translation>Der Kontakt davor oder danach</translation>
-    </message>
-    <message>
-        <source>Ctrl+Left, Ctrl+Right</source>
-        <translation>Strg+Links, Strg+Rechts</translation>
     </message>
     <message>
         <source>It begins or ends at the cursor</source>
@@ -10086,10 +10060,6 @@ Median; gut: unter %1</translation>
     <message>
         <source>Delete it, let go of it</source>
         <translation>Löschen, loslassen</translation>
-    </message>
-    <message>
-        <source>Del, Esc</source>
-        <translation>Entf, Esc</translation>
     </message>
 </context>
 <context>
@@ -10438,10 +10408,6 @@ Drehen, beide Richtungen x3</translation>
 <context>
     <name>noctule::ui::StatusLine</name>
     <message>
-        <source>Jobs (Ctrl+J)</source>
-        <translation>Aufträge (Strg+J)</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>
@@ -10518,6 +10484,11 @@ Drehen, beide Richtungen x3</translation>
     <message>
         <source>What is connected records %1 a second.</source>
         <translation>Was verbunden ist, nimmt %1 in der Sekunde auf.</translation>
+    </message>
+    <message>
+        <source>Jobs (%1)</source>
+        <comment>a key</comment>
+        <translation>Aufträge (%1)</translation>
     </message>
 </context>
 <context>
@@ -10923,7 +10894,7 @@ Drehen, beide Richtungen x3</translation>
     </message>
     <message>
         <source>Left and Right step a frame, with Shift a second; Home and End go to in and out; F2 names the chosen marker, Del deletes it. Up and Down choose the contact of the left or right foot at the cursor, with Ctrl Left and Right the one before or after; I and O let it begin or end at the cursor, Ins sets one, Del deletes it</source>
-        <translation>Links und Rechts gehen ein Bild weiter, mit Umschalt eine Sekunde; Pos1 und Ende zu Anfang und Ende des Bereichs; F2 benennt die gewählte Marke, Entf löscht sie. Auf und Ab wählen den Kontakt des linken oder rechten Fußes am Zeiger, mit Strg Links und Rechts den davor oder danach; mit I und O beginnt oder endet er am Zeiger, Einfg setzt einen, Entf löscht ihn</translation>
+        <translation>Links und Rechts gehen ein Bild weiter, mit Umschalt eine Sekunde; Pos1 und Ende zu Anfang und Ende des Bereichs; F2 benennt die gewählte Marke, Entf löscht sie. Hoch und Herunter wählen den Kontakt des linken oder rechten Fußes am Zeiger, mit Strg Links und Rechts den davor oder danach; mit I und O beginnt oder endet er am Zeiger, Einfg setzt einen, Entf löscht ihn</translation>
     </message>
 </context>
 <context>
@@ -10973,10 +10944,6 @@ Drehen, beide Richtungen x3</translation>
         <translation>Kein Anzug verbunden. Öffnet Verbinden.</translation>
     </message>
     <message>
-        <source>Opens Record (Ctrl+R)</source>
-        <translation>Öffnet Aufnehmen (Strg+R)</translation>
-    </message>
-    <message>
         <source>Preferences</source>
         <translation>Einstellungen</translation>
     </message>
@@ -10993,12 +10960,18 @@ Drehen, beide Richtungen x3</translation>
         <translation>Aufnahme läuft, %1</translation>
     </message>
     <message>
-        <source>A take is being recorded. Opens Record; Ctrl+R stops it.</source>
-        <translation>Eine Aufnahme läuft. Öffnet Aufnehmen; Strg+R beendet sie.</translation>
-    </message>
-    <message>
         <source>Robot</source>
         <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Opens Record (%1)</source>
+        <comment>a key</comment>
+        <translation>Öffnet Aufnehmen (%1)</translation>
+    </message>
+    <message>
+        <source>A take is being recorded. Opens Record; %1 stops it.</source>
+        <comment>a key</comment>
+        <translation>Eine Aufnahme läuft. Öffnet Aufnehmen; %1 beendet sie.</translation>
     </message>
 </context>
 <context>
@@ -11144,14 +11117,6 @@ Drehen, beide Richtungen x3</translation>
         <translation>Tempo</translation>
     </message>
     <message>
-        <source>Set in to the cursor (Ctrl+I)</source>
-        <translation>Anfang an den Zeiger setzen (Strg+I)</translation>
-    </message>
-    <message>
-        <source>Set out to the cursor (Ctrl+O)</source>
-        <translation>Ende an den Zeiger setzen (Strg+O)</translation>
-    </message>
-    <message>
         <source>Length between in and out</source>
         <translation>Länge zwischen Anfang und Ende</translation>
     </message>
@@ -11186,6 +11151,16 @@ Drehen, beide Richtungen x3</translation>
     <message>
         <source>Open a take first</source>
         <translation>Zuerst eine Aufnahme öffnen</translation>
+    </message>
+    <message>
+        <source>Set in to the cursor (%1)</source>
+        <comment>a key</comment>
+        <translation>Anfang an den Zeiger setzen (%1)</translation>
+    </message>
+    <message>
+        <source>Set out to the cursor (%1)</source>
+        <comment>a key</comment>
+        <translation>Ende an den Zeiger setzen (%1)</translation>
     </message>
 </context>
 <context>

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "ui/style/theme.h"
+#include "ui/style/words.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/label.h"
@@ -18,8 +19,15 @@ namespace {
 QString keysOf(const QAction& action) {
     QStringList keys;
     for (const QKeySequence& key : action.shortcuts())
-        keys.append(key.toString(QKeySequence::NativeText));
+        keys.append(keysText(key));
     return keys.join(ShortcutsDialog::tr(" or ", "between two keys for the same"));
+}
+
+QString keysIn(std::initializer_list<const char*> keys) {
+    QStringList texts;
+    for (const char* key : keys)
+        texts.append(keysText(QKeySequence(key)));
+    return texts.join(QStringLiteral(", "));
 }
 
 QString textOf(const QAction& action) {
@@ -85,19 +93,19 @@ void ShortcutsDialog::addGroup(const QString& title, const QList<QPair<QString, 
 /// Taken by the timeline itself while it has the keyboard.
 void ShortcutsDialog::addTimeline() {
     addGroup(tr("On the timeline, contacts of the feet"),
-             {{tr("The left or right foot's contact at the cursor"), tr("Up, Down")},
-              {tr("The contact before or after it"), tr("Ctrl+Left, Ctrl+Right")},
-              {tr("It begins or ends at the cursor"), QStringLiteral("I, O")},
-              {tr("Delete it, let go of it"), tr("Del, Esc")}});
+             {{tr("The left or right foot's contact at the cursor"), keysIn({"Up", "Down"})},
+              {tr("The contact before or after it"), keysIn({"Ctrl+Left", "Ctrl+Right"})},
+              {tr("It begins or ends at the cursor"), keysIn({"I", "O"})},
+              {tr("Delete it, let go of it"), keysIn({"Del", "Esc"})}});
 }
 
 /// The picture takes its keys and the mouse by itself, so there are no actions to ask.
 void ShortcutsDialog::addView3d() {
     addGroup(tr("On the 3D picture"),
-             {{tr("Front, side, top"), QStringLiteral("1, 3, 7")},
-              {tr("Bring the body into the picture"), QStringLiteral("F")},
-              {tr("Follow the body"), QStringLiteral("Shift+F")},
-              {tr("Rays, ghost"), QStringLiteral("R, G")},
+             {{tr("Front, side, top"), keysIn({"1", "3", "7"})},
+              {tr("Bring the body into the picture"), keysIn({"F"})},
+              {tr("Follow the body"), keysIn({"Shift+F"})},
+              {tr("Rays, ghost"), keysIn({"R", "G"})},
               {tr("Orbit"), tr("Middle button, or Alt and left button (preferences)")},
               {tr("Move sideways"), tr("Shift and middle button, or Alt and middle button")},
               {tr("Nearer, further"), tr("Wheel")}});

@@ -4,6 +4,7 @@
 #include <QPainter>
 
 #include "ui/style/theme.h"
+#include "ui/style/words.h"
 #include "ui/widgets/key_hint.h"
 
 namespace noctule::ui {
@@ -14,7 +15,7 @@ constexpr int kPadding = 4, kGap = 6, kIcon = 14, kHeight = 24;
 }  // namespace
 
 StatusButton::StatusButton(const QString& text, const QKeySequence& keys, QWidget* parent)
-    : QAbstractButton(parent), keys_(keys.toString(QKeySequence::NativeText)) {
+    : QAbstractButton(parent), keys_(keysText(keys)) {
     setText(text);
     setFocusPolicy(Qt::StrongFocus);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);

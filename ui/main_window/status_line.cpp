@@ -36,7 +36,7 @@ StatusLine::StatusLine(Studio& studio, QWidget* parent) : QWidget(parent), studi
     open_ = new ElidedLabel({}, TextRole::kSecondary, Ink::kLabel);
     storage_ = new Label({}, TextRole::kSecondary, Ink::kLabel);
     jobs_ = new StatusButton;
-    jobs_->setToolTip(tr("Jobs (Ctrl+J)"));
+    jobs_->setToolTip(tr("Jobs (%1)", "a key").arg(keysText(QKeySequence("Ctrl+J"))));
     cancel_ = new StatusButton(tr("Cancel"));
     shortcuts_ = new StatusButton(tr("Shortcuts"), QKeySequence("F1"));
     row->addWidget(safe_);

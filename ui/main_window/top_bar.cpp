@@ -85,7 +85,7 @@ QWidget* TopBar::makeRight() {
     box_->setToolTip(tr("The connected suit. Opens Connect."));
     box_->hide();
     record_ = makeButton(ButtonKind::kRecord, tr("Record"), "record", QKeySequence("Ctrl+R"));
-    record_->setToolTip(tr("Opens Record (Ctrl+R)"));
+    record_->setToolTip(tr("Opens Record (%1)", "a key").arg(keysText(QKeySequence("Ctrl+R"))));
     preferences_ = new ToolButton("gear", tr("Preferences"), QKeySequence("Ctrl+,"));
     row->addStretch();
     row->addWidget(suit_);
@@ -134,8 +134,9 @@ void TopBar::showRecording(std::optional<double> seconds) {
     if (!changes)
         return;
     record_->setShortcutHint(records_ ? QKeySequence() : QKeySequence("Ctrl+R"));
-    record_->setToolTip(records_ ? tr("A take is being recorded. Opens Record; Ctrl+R stops it.")
-                                 : tr("Opens Record (Ctrl+R)"));
+    record_->setToolTip((records_ ? tr("A take is being recorded. Opens Record; %1 stops it.", "a key")
+                                  : tr("Opens Record (%1)", "a key"))
+                            .arg(keysText(QKeySequence("Ctrl+R"))));
     showRecordButton();
     foldWhereNarrow();
 }

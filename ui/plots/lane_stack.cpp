@@ -11,6 +11,7 @@
 #include "ui/plots/plot_panel.h"
 #include "ui/plots/time_keys.h"
 #include "ui/style/theme.h"
+#include "ui/style/words.h"
 
 namespace noctule::ui {
 namespace {
@@ -110,8 +111,10 @@ LaneStack::LaneStack(ReviewContext& review, TimeWindow& window, QWidget* parent)
     setFocusPolicy(Qt::StrongFocus);
     grabGesture(Qt::PinchGesture);
     setAccessibleName(tr("Plots"));
-    setAccessibleDescription(
-        tr("Plus and minus zoom, Ctrl and the arrow keys pan, Ctrl+0 shows the whole take"));
+    setAccessibleDescription(tr("Plus and minus zoom, %1 and %2 pan, %3 shows the whole take", "keys")
+                                 .arg(keysText(QKeySequence("Ctrl+Left")),
+                                      keysText(QKeySequence("Ctrl+Right")),
+                                      keysText(QKeySequence("Ctrl+0"))));
     connect(&window, &TimeWindow::changed, this, [this] { redraw_.ask(); });
     connect(&review.time(), &TimeCursor::rangeChanged, this, [this] { redraw_.ask(); });
     connect(&review.time(), &TimeCursor::timeChanged, this, [this] { move_cursor_.ask(); });

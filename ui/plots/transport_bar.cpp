@@ -54,9 +54,9 @@ void TransportBar::build() {
     speed_->setAccessibleName(tr("Speed"));
     speed_label_->setBuddy(speed_);
     in_ = makeButton(ButtonKind::kOutlined, {}, QStringLiteral("in"));
-    in_->setToolTip(tr("Set in to the cursor (Ctrl+I)"));
+    in_->setToolTip(tr("Set in to the cursor (%1)", "a key").arg(keysText(QKeySequence("Ctrl+I"))));
     out_ = makeButton(ButtonKind::kOutlined, {}, QStringLiteral("out"));
-    out_->setToolTip(tr("Set out to the cursor (Ctrl+O)"));
+    out_->setToolTip(tr("Set out to the cursor (%1)", "a key").arg(keysText(QKeySequence("Ctrl+O"))));
     length_ = new Label({}, TextRole::kBody, Ink::kLabel);
     length_->setAccessibleName(tr("Length between in and out"));
     marker_ = makeButton(ButtonKind::kOutlined, tr("Marker"), QStringLiteral("marker"), Qt::Key_M);

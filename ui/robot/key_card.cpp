@@ -5,6 +5,7 @@
 
 #include "ui/style/paint.h"
 #include "ui/style/theme.h"
+#include "ui/style/words.h"
 #include "ui/widgets/key_hint.h"
 
 namespace noctule::ui {
@@ -39,7 +40,7 @@ void KeyCard::setLook(Tone tone, const QString& title, const QString& about) {
 QSize KeyCard::sizeHint() const {
     const Theme& theme = Theme::get();
     const QFontMetrics title(theme.font(TextRole::kBody, true)), about(theme.font(TextRole::kCaption));
-    const int key = KeyHint::sizeOf(keys_.toString(QKeySequence::NativeText)).width();
+    const int key = KeyHint::sizeOf(keysText(keys_)).width();
     const int words = title.horizontalAdvance(text()) + theme.px(8) + key;
     return {words + theme.px(2 * kInner + kSymbol + 8),
             std::max(theme.px(kHigh), title.height() + about.height() + theme.px(16))};
@@ -61,7 +62,7 @@ void KeyCard::paintEvent(QPaintEvent*) {
     paintIcon(painter, QRect(inner, 0, symbol, height()), icon_name_, symbol, ink);
     const QFontMetrics title(theme.font(TextRole::kBody, true)), about(theme.font(TextRole::kCaption));
     const int left = inner + symbol + theme.px(8), right = width() - inner;
-    const QString keys = keys_.toString(QKeySequence::NativeText);
+    const QString keys = keysText(keys_);
     const QSize key = KeyHint::sizeOf(keys);
     const bool has_about = !about_.isEmpty();
     const int top = (height() - title.height() - (has_about ? about.height() : 0)) / 2;

@@ -38,6 +38,10 @@ QString numberText(double value, int decimals) {
     return std::isfinite(value) ? fixed(value, decimals) : kDash;
 }
 
+QString keysText(const QKeySequence& keys) {
+    return keys.toString(QKeySequence::NativeText);
+}
+
 QString timeText(double seconds, int decimals) {
     if (!std::isfinite(seconds))
         return kDash;

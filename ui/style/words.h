@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers and dates as the studio writes them: a real minus (U+2212), thin spaces between groups of three
-// (U+2009), a no-break space before a unit except degrees, the decimal sign of the locale in use. What is not
-// finite reads as a dash ("–").
+// Numbers, dates and keys as the studio writes them: a real minus (U+2212), thin spaces between groups of
+// three (U+2009), a no-break space before a unit except degrees, the decimal sign of the locale in use. What
+// is not finite reads as a dash ("–").
 #pragma once
 
 #include <QDateTime>
+#include <QKeySequence>
 #include <QLocale>
 #include <QString>
 
@@ -27,6 +28,8 @@ QString countText(qint64 count);
 /// 2900000 -> "2.9 MB" (powers of ten, as file dialogs and disks count).
 QString bytesText(qint64 bytes);
 QString numberText(double value, int decimals);
+/// "Ctrl+R", on a German screen "Strg+R" as its keyboard has it. Every key in a text is written by this.
+QString keysText(const QKeySequence& keys);
 /// "Today, 10:12", "Yesterday", "17 November"; with the year when it is not the present one.
 QString dateText(const QDateTime& when, const QDateTime& now = QDateTime::currentDateTime());
 /// The same within a sentence: "since today, 10:12".

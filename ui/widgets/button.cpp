@@ -5,6 +5,7 @@
 
 #include "ui/style/paint.h"
 #include "ui/style/theme.h"
+#include "ui/style/words.h"
 #include "ui/widgets/key_hint.h"
 
 namespace noctule::ui {
@@ -59,7 +60,7 @@ void Button::restyle() {
 }
 
 QString Button::hintText() const {
-    return shortcut_.toString(QKeySequence::NativeText);
+    return keysText(shortcut_);
 }
 
 QFont Button::textFont() const {

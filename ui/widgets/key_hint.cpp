@@ -5,6 +5,7 @@
 
 #include "ui/style/paint.h"
 #include "ui/style/theme.h"
+#include "ui/style/words.h"
 
 namespace noctule::ui {
 
@@ -15,7 +16,7 @@ KeyHint::KeyHint(const QKeySequence& keys, QWidget* parent) : QWidget(parent) {
 }
 
 void KeyHint::setKeys(const QKeySequence& keys) {
-    text_ = keys.toString(QKeySequence::NativeText);
+    text_ = keysText(keys);
     setAccessibleName(text_);
     updateGeometry();
     update();

@@ -6,6 +6,7 @@
 
 #include "ui/style/paint.h"
 #include "ui/style/theme.h"
+#include "ui/style/words.h"
 
 namespace noctule::ui {
 
@@ -21,10 +22,10 @@ ToolButton::ToolButton(const QString& icon_name, const QString& name, const QKey
 void ToolButton::setMeaning(const QString& icon_name, const QString& name, const QKeySequence& shortcut) {
     icon_name_ = icon_name;
     setAccessibleName(name);
-    setAccessibleDescription(shortcut.toString(QKeySequence::NativeText));
-    tooltip_ = shortcut.isEmpty() ? name
-                                  : tr("%1 (%2)", "name of a button (its shortcut)")
-                                        .arg(name, shortcut.toString(QKeySequence::NativeText));
+    setAccessibleDescription(keysText(shortcut));
+    tooltip_ = shortcut.isEmpty()
+                   ? name
+                   : tr("%1 (%2)", "name of a button (its shortcut)").arg(name, keysText(shortcut));
     if (isEnabled())
         setToolTip(tooltip_);
     restyle();

@@ -4,6 +4,7 @@
 #include <QVBoxLayout>
 
 #include "ui/language/core_words.h"
+#include "ui/style/words.h"
 #include "ui/views/review/process_takes_dialog.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
@@ -99,6 +100,7 @@ void ResultSide::refresh() {
     showFindings();
     const bool checks = run_->task() == WizardTask::kCheck;
     const bool bad = run_->result()->grade() == Grade::kNotUsable;
+    const QString undo = keysText(QKeySequence("Ctrl+Z"));
     save_->setVisible(!checks && !run_->isSaved());
     process_->setVisible(!checks && run_->isInUse() && studio_.session().isOpen() &&
                          !studio_.session().session().takes.empty());
@@ -107,7 +109,7 @@ void ResultSide::refresh() {
     if (run_->isSaved())
         words_->setText(
             run_->isInUse()
-                ? tr("Saved and in use. New takes are made with it; undo with Ctrl+Z.")
+                ? tr("Saved and in use. New takes are made with it; undo with %1.").arg(undo)
                 : tr("Saved. Takes are made with another calibration now; step Calibrate has the list."));
     else if (checks)
         words_->setText(tr("Nothing is changed by a check."));
@@ -115,8 +117,8 @@ void ResultSide::refresh() {
         words_->setText(
             tr("Takes made with it would be wrong where the cards say so. Repeat what is named."));
     else
-        words_->setText(tr("Will be saved as %1, and later takes are made with it; undo with Ctrl+Z.")
-                            .arg(studio_.calibrations().nextName(keyOf(run_->task()))));
+        words_->setText(tr("Will be saved as %1, and later takes are made with it; undo with %2.")
+                            .arg(studio_.calibrations().nextName(keyOf(run_->task())), undo));
 }
 
 void ResultSide::save() {

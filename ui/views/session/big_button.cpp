@@ -5,6 +5,7 @@
 #include <QPainter>
 
 #include "ui/style/theme.h"
+#include "ui/style/words.h"
 #include "ui/widgets/key_hint.h"
 
 namespace noctule::ui {
@@ -45,7 +46,7 @@ QSize BigButton::sizeHint() const {
 int BigButton::keyWidth() const {
     if (keys_.isEmpty())
         return 0;
-    return KeyHint::sizeOf(keys_.toString(QKeySequence::NativeText)).width() + Theme::get().px(kGap);
+    return KeyHint::sizeOf(keysText(keys_)).width() + Theme::get().px(kGap);
 }
 
 QSize BigButton::minimumSizeHint() const {
@@ -89,7 +90,7 @@ void BigButton::paintEvent(QPaintEvent*) {
                      about.elidedText(about_, Qt::ElideRight, room));
 
     if (!keys_.isEmpty()) {
-        const QString keys = keys_.toString(QKeySequence::NativeText);
+        const QString keys = keysText(keys_);
         const QSize size = KeyHint::sizeOf(keys);
         const QRectF frame(
             QPointF(width() - theme.px(kPadding) - size.width(), (height() - size.height()) / 2.0),
