@@ -37,6 +37,10 @@ ROOM_LINE = re.compile(r"^noctule_library\((\w+)(?:\s+(?:PLAIN|COLD))*(?:\s+PART
                        r"(?:\s+LINK\s+([^)]*))?\)", re.MULTILINE)
 QT_SCREEN_LIBRARY = re.compile(r"\bQt5::(Gui|Widgets|Svg|OpenGL\w*|PrintSupport)\b")
 QT_OF_BASE = {"Core", "Gui", "Widgets", "Network", "Test"}  # come with the package of Qt5 itself
+# A number or a key that is written past ui/style/words.h, and so is English on a German screen.
+WRITTEN_BY_HAND = re.compile(r"""\bQString::(?:number|asprintf)\([^;]*'[efgEG]'|\.arg\([^;]*, '[efgEG]'|\bstd::format\("""
+                             r"""|QKeySequence::NativeText|\btr\((?:"[^"]*"\s*)*"[^"]*\b(?:Ctrl|Shift|Alt)\+""")
+WRITES = "ui/style/words.cpp"
 FLAGS = re.compile(r"\b(add_compile_options|target_compile_options|CMAKE_CXX_FLAGS)\b")
 # Spelled in pieces, so that this file does not complain about itself.
 FORBIDDEN_WORDS = re.compile(r"\b(TO" r"DO|FIX" r"ME)\b|(?<![\w.])/(wo" r"rk|ro" r"ot|ho" r"me)/\w")
@@ -184,6 +188,13 @@ def check_words(files, complaints):
                 complaints.append(f"{path}:{number}: {word.group(0)}")
 
 
+def check_writing(files, complaints):
+    for path, text in sources(files, "ui").items():
+        for match in WRITTEN_BY_HAND.finditer(text) if path != WRITES else ():
+            number = text.count("\n", 0, match.start()) + 1
+            complaints.append(f"{path}:{number}: numbers and keys of a screen are written by ui/style/words.h")
+
+
 def check_top_level(files, complaints):
     for name in sorted({path.split("/")[0] for path in files}):
         if name not in TOP_LEVEL and not name.startswith("."):
@@ -244,8 +255,8 @@ def check_type_names(files, complaints):
             complaints.append(f"{name} is defined in {' and in '.join(sorted(paths))}")
 
 
-CHECKS = (check_rooms, check_parts, check_purity, check_layers, check_libraries, check_licences, check_words, check_top_level,
-          check_build, check_type_names)
+CHECKS = (check_rooms, check_parts, check_purity, check_layers, check_libraries, check_licences, check_words,
+          check_writing, check_top_level, check_build, check_type_names)
 
 
 def complaints_about(files):
@@ -329,6 +340,10 @@ def broken_trees(files):
         ("script without licence", {"packaging/a.sh": "#!/bin/sh\n"}, "first two lines"),
         ("word", source("ui/views/a.cpp", "// TO" "DO later"), "ui/views/a.cpp:2: TO"),
         ("path of a machine", {"README.md": "see /ho" "me/me/x\n"}, "README.md:1: /ho"),
+        ("number with a point", source("ui/views/a.cpp", "auto t = QString::number(x, 'f', 2);"), "written by ui/style/words.h"),
+        ("sentence with a point", source("ui/views/a.cpp", "auto t = tr(\"%1 s\").arg(x, 0, 'f', 1);"),
+         "written by ui/style/words.h"),
+        ("key by hand", source("ui/views/a.cpp", 'auto t = tr("Undo with " "Ctrl+Z");'), "written by ui/style/words.h"),
         ("arrow up in ui", source("ui/style/a.cpp", '#include "ui/views/page.h"'), "style does not link views"),
         ("room of ui without a line", source("ui/attic/a.cpp", ""), "no line for the room attic"),
         ("room of devices without a line", source("devices/attic/a.cpp", ""), "no line for the room attic"),

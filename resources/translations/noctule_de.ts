@@ -8675,10 +8675,6 @@ Median; gut: unter %1</translation>
         <translation>Es gingen noch keine Befehle hinaus.</translation>
     </message>
     <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
         <source>%1, largest %2</source>
         <translation>%1, größter %2</translation>
     </message>
@@ -8910,10 +8906,6 @@ Median; gut: unter %1</translation>
     <message>
         <source>The robot holds by itself when</source>
         <translation>Der Roboter hält von selbst bei</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
     </message>
     <message>
         <source>no pose for</source>

@@ -6,6 +6,7 @@
 #include <QPointer>
 
 #include "ui/plots/pair_grid.h"
+#include "ui/style/words.h"
 
 namespace noctule::ui {
 namespace {
@@ -39,8 +40,7 @@ public:
             case QAccessible::Name:
                 return cell.words;
             case QAccessible::Value:
-                return cell.state == PairCell::State::kHeard ? QString::number(cell.confidence, 'f', 2)
-                                                             : QString();
+                return cell.state == PairCell::State::kHeard ? numberText(cell.confidence, 2) : QString();
             default:
                 return {};
         }

@@ -241,14 +241,15 @@ void RobotCenter::showPaths() {
 void RobotCenter::showFigures(const RobotDrive::HandPaths& paths) {
     const LatencyHistogram latency = drive_.linkStatus().latency;
     const QString none = QStringLiteral("–");
-    const auto ms = [](double s) { return tr("%1 ms").arg(1000 * s, 0, 'f', 0); };
     const bool has_latency = latency.count() > 0;
     figures_[0]->setText(has_latency ? tr("%1, p99.9 %2", "median, quantile")
-                                           .arg(ms(latency.quantile_s(0.5)), ms(latency.quantile_s(0.999)))
+                                           .arg(millisecondsText(latency.quantile_s(0.5)),
+                                                millisecondsText(latency.quantile_s(0.999)))
                                      : none);
     const auto& tracking = paths.tracking;
-    figures_[1]->setText(tracking ? ms(tracking->delay_s) : none);
-    figures_[2]->setText(tracking && has_latency ? ms(tracking->delay_s + latency.quantile_s(0.5)) : none);
+    figures_[1]->setText(tracking ? millisecondsText(tracking->delay_s) : none);
+    figures_[2]->setText(
+        tracking && has_latency ? millisecondsText(tracking->delay_s + latency.quantile_s(0.5)) : none);
     figures_[3]->setText(
         tracking ? tr("%1, largest %2")
                        .arg(millimetresText(tracking->rest_rms_m), millimetresText(tracking->rest_max_m))

@@ -145,9 +145,8 @@ QWidget* RobotSidebar::makeLimits() {
     column->addWidget(new SectionHeader(tr("The robot holds by itself when")));
     auto* rows = new NumberRows;
     const robot::DriveSettings usual;
-    const auto milliseconds = [](double s) { return tr("%1 ms").arg(1000 * s, 0, 'f', 0); };
-    rows->setValue(rows->addRow("clock", tr("no pose for")), milliseconds(usual.teleop.stale_s));
-    rows->setValue(rows->addRow("link", tr("no answer for")), milliseconds(usual.robot_stale_s));
+    rows->setValue(rows->addRow("clock", tr("no pose for")), millisecondsText(usual.teleop.stale_s));
+    rows->setValue(rows->addRow("link", tr("no answer for")), millisecondsText(usual.robot_stale_s));
     rows->setValue(rows->addRow("angle", tr("joint off by")), degreesText(usual.off_rad, 0));
     column->addWidget(rows);
     return part;

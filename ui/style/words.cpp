@@ -63,6 +63,10 @@ QString secondsText(double seconds, int decimals) {
     return withUnit(seconds, decimals, "s");
 }
 
+QString millisecondsText(double seconds) {
+    return withUnit(seconds * 1e3, 0, "ms");
+}
+
 QString degreesText(double radians, int decimals) {
     return std::isfinite(radians) ? fixed(radians * kDegreesPerRadian, decimals) + QChar(0x00B0) : kDash;
 }

@@ -15,6 +15,8 @@ namespace noctule::ui {
 QString timeText(double seconds, int decimals = 1);
 /// 17.4 -> "17.4 s".
 QString secondsText(double seconds, int decimals = 1);
+/// Seconds in, "43 ms" out.
+QString millisecondsText(double seconds);
 /// Radians in, "24.1°" out.
 QString degreesText(double radians, int decimals = 1);
 /// Metres in, "1.8 mm" out.

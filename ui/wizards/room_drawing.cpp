@@ -253,8 +253,9 @@ void RoomDrawing::paintPerformer(QPainter& painter, const Scale& scale) const {
 QString RoomDrawing::legend() const {
     if (from_ == From::kFront)
         return tr("Heights above the floor.");
-    return larger_ > 1 ? tr("Ellipse: uncertainty, drawn %1 times larger. Line: walked.").arg(larger_)
-                       : tr("Ellipse: uncertainty. Line: walked.");
+    return larger_ > 1
+               ? tr("Ellipse: uncertainty, drawn %1 times larger. Line: walked.").arg(numberText(larger_, 0))
+               : tr("Ellipse: uncertainty. Line: walked.");
 }
 
 void RoomDrawing::paintEvent(QPaintEvent*) {

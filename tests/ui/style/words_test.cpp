@@ -60,6 +60,16 @@ TEST_F(WordsTest, groups) {
     expectText(numberText(12345.6, 1), "12\u2009345.6");
 }
 
+TEST_F(WordsTest, milliseconds) {
+    expectText(millisecondsText(0.0434), "43\u00A0ms");
+    expectText(millisecondsText(std::numeric_limits<double>::quiet_NaN()), "–");
+}
+
+TEST_F(WordsTest, keys) {
+    expectText(keysText(QKeySequence("Ctrl+R")), "Ctrl+R");
+    expectText(keysText(QKeySequence("Del")), "Del");
+}
+
 TEST_F(WordsTest, bytes) {
     expectText(bytesText(512), "512\u00A0B");
     expectText(bytesText(2'900'000), "2.9\u00A0MB");
