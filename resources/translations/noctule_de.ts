@@ -1457,27 +1457,31 @@
     <message>
         <source>%1 to %2</source>
         <comment>source 8 (hat) to left shin</comment>
-        <translation>%1 zu %2</translation>
+        <translation>%1 – %2</translation>
     </message>
     <message>
         <source>Trunk</source>
         <translation>Rumpf</translation>
     </message>
     <message>
-        <source>Left arm</source>
-        <translation>Linker Arm</translation>
+        <source>L arm</source>
+        <comment>left arm, short</comment>
+        <translation>L Arm</translation>
     </message>
     <message>
-        <source>Right arm</source>
-        <translation>Rechter Arm</translation>
+        <source>R arm</source>
+        <comment>right arm, short</comment>
+        <translation>R Arm</translation>
     </message>
     <message>
-        <source>Left leg</source>
-        <translation>Linkes Bein</translation>
+        <source>L leg</source>
+        <comment>left leg, short</comment>
+        <translation>L Bein</translation>
     </message>
     <message>
-        <source>Right leg</source>
-        <translation>Rechtes Bein</translation>
+        <source>R leg</source>
+        <comment>right leg, short</comment>
+        <translation>R Bein</translation>
     </message>
     <message>
         <source>Elsewhere</source>
@@ -3337,7 +3341,7 @@
     </message>
     <message>
         <source>All of each take</source>
-        <translation>Alle jedes Takes</translation>
+        <translation>Alle jeder Aufnahme</translation>
     </message>
     <message>
         <source>Also as</source>
@@ -3700,7 +3704,7 @@
     </message>
     <message>
         <source>CSV of positions and joint angles</source>
-        <translation>CSV von Positionen und Gelenkwinkeln</translation>
+        <translation>CSV: Positionen und Winkel</translation>
     </message>
     <message>
         <source>CSV with angles, %1 frames</source>
@@ -7776,6 +7780,11 @@ Median; gut: unter %1</translation>
         <source>As PDF</source>
         <translation>Als PDF</translation>
     </message>
+    <message>
+        <source>Find</source>
+        <comment>in the report</comment>
+        <translation>Suchen</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::ReprocessDialog</name>
@@ -8316,7 +8325,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>Process all unprocessed takes</source>
-        <translation>Alle unverarbeiteten Takes verarbeiten</translation>
+        <translation>Alle unverarbeiteten Aufnahmen verarbeiten</translation>
     </message>
     <message>
         <source>The take is being processed.</source>
@@ -10263,7 +10272,7 @@ Drehen, beide Richtungen x3</translation>
     </message>
     <message>
         <source>Find a session or take</source>
-        <translation>Sitzung oder Aufnahme suchen</translation>
+        <translation>Sitzungen durchsuchen</translation>
     </message>
     <message>
         <source>Sessions that you make or open are listed here, the newest first.</source>
@@ -10366,7 +10375,7 @@ Drehen, beide Richtungen x3</translation>
     </message>
     <message>
         <source>A BVH file, worn by a simulated suit</source>
-        <translation>Eine BVH-Datei mit simuliertem Anzug</translation>
+        <translation>BVH-Datei, simulierter Anzug</translation>
     </message>
 </context>
 <context>

@@ -195,13 +195,13 @@ QString groupName(BodyGroup group) {
         case BodyGroup::kTrunk:
             return QCoreApplication::translate("PartNames", "Trunk");
         case BodyGroup::kLeftArm:
-            return QCoreApplication::translate("PartNames", "Left arm");
+            return QCoreApplication::translate("PartNames", "L arm", "left arm, short");
         case BodyGroup::kRightArm:
-            return QCoreApplication::translate("PartNames", "Right arm");
+            return QCoreApplication::translate("PartNames", "R arm", "right arm, short");
         case BodyGroup::kLeftLeg:
-            return QCoreApplication::translate("PartNames", "Left leg");
+            return QCoreApplication::translate("PartNames", "L leg", "left leg, short");
         case BodyGroup::kRightLeg:
-            return QCoreApplication::translate("PartNames", "Right leg");
+            return QCoreApplication::translate("PartNames", "R leg", "right leg, short");
         case BodyGroup::kElsewhere:
             break;
     }

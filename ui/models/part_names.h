@@ -48,7 +48,7 @@ QString pairName(const Suit& suit, int source, int board);
 enum class BodyGroup { kTrunk, kLeftArm, kRightArm, kLeftLeg, kRightLeg, kElsewhere };
 
 BodyGroup groupOfSegment(const std::string& segment);
-/// "Left arm"
+/// "L arm", which has room below three columns.
 QString groupName(BodyGroup group);
 
 /// Boards of the suit by group, trunk first, within a group in the order of the suit; empty groups are left

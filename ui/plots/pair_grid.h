@@ -28,7 +28,7 @@ struct PairHeading {
 };
 
 struct PairColumnGroup {
-    QString name;  ///< "Left arm"
+    QString name;  ///< "L arm"
     int first = 0, last = 0;
 };
 

@@ -71,12 +71,13 @@ void paintLegends(QPainter& painter, const QRectF& area, const std::vector<Scene
 
 void paintRayLegend(QPainter& painter, const QRectF& area) {
     const Theme& theme = Theme::get();
-    const double width = px(180), bar = px(6);
-    const QPointF corner = area.bottomRight() - QPointF(width + px(16), px(58));
+    const QString words = QCoreApplication::translate("SceneOverlay", "Ray confidence, source to board");
     painter.setFont(captionFont());
+    const double width = std::max<double>(px(180), painter.fontMetrics().horizontalAdvance(words)),
+                 bar = px(6);
+    const QPointF corner = area.bottomRight() - QPointF(width + px(16), px(58));
     painter.setPen(theme.tokens().t2);
-    painter.drawText(QRectF(corner, QSizeF(width, px(16))), Qt::AlignLeft | Qt::AlignVCenter,
-                     QCoreApplication::translate("SceneOverlay", "Ray confidence, source to board"));
+    painter.drawText(QRectF(corner, QSizeF(width, px(16))), Qt::AlignLeft | Qt::AlignVCenter, words);
     QLinearGradient ramp(corner, corner + QPointF(width, 0));
     constexpr int kStops = 16;
     for (int i = 0; i <= kStops; ++i)

@@ -4,6 +4,7 @@
 
 #include "tests/ui/main_window/studio_fixture.h"
 #include "tests/ui/support/clipping.h"
+#include "tests/ui/support/screen_words.h"
 #include "ui/language/language.h"
 #include "ui/style/theme.h"
 
@@ -35,6 +36,13 @@ protected:
                          .arg(100 * scale)
                          .arg(scheme == Scheme::kDark ? "dark" : "light"));
             }
+    }
+
+    void expectWholeAndItsLanguage(const QWidget& widget, const QString& where) {
+        expectWhole(widget, where);
+        if (QLatin1String(GetParam()) == "de" && Theme::get().scale() == 1)
+            for (const QString& text : ScreenWords::notGerman(ScreenWords::of(widget)))
+                ADD_FAILURE() << where.toStdString() << " is not German: " << text.toStdString();
     }
 
     /// A busy machine may take a while to lay out; what stays cut is a fault.

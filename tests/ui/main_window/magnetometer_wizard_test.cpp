@@ -31,7 +31,7 @@ protected:
             window_->resize(1280, 800);
             window_->sideDocks().reset();
             QTest::qWait(60);
-            expectWhole(*window_, QStringLiteral("%1, %2").arg(name, look));
+            expectWholeAndItsLanguage(*window_, QStringLiteral("%1, %2").arg(name, look));
             EXPECT_EQ(window_->size(), QSize(1280, 800)) << look.toStdString();
         });
         const QString folder = qEnvironmentVariable("NOCTULE_SCREENSHOTS");
@@ -163,6 +163,20 @@ TEST_P(WizardsInTheWindow, ResultOfMagnetometers) {
     ASSERT_TRUE(reach([this] { return run().phase() == WizardRun::Phase::kResult; }))
         << run().trouble().toStdString();
     wizardIsWhole("magnetometers result");
+}
+
+TEST_P(WizardsInTheWindow, ResultOfTheRestPose) {
+    ASSERT_TRUE(studio_->session().create(folder_.filePath("rest"), "rest"));
+    rig_ = std::make_unique<test::RigProgram>(QStringList{"--seed", "3", "--rig", "rest"});
+    ASSERT_TRUE(rig_->isThere());
+    studio_->suit().connectTo(rig_->address());
+    ASSERT_TRUE(reach([this] { return studio_->suit().phase() == LiveSuit::Phase::kLooking; }));
+    window_->goTo(Step::kCalibrate);
+    page().open(WizardTask::kRestPose);
+    page().wizard().intro().beginButton()->click();
+    ASSERT_TRUE(reach([this] { return run().phase() == WizardRun::Phase::kResult; }))
+        << run().trouble().toStdString();
+    wizardIsWhole("rest pose result");
 }
 
 INSTANTIATE_TEST_SUITE_P(Languages, WizardsInTheWindow, testing::Values("en", "de"));

@@ -49,7 +49,7 @@ protected:
                 window_->resize(size);
                 window_->sideDocks().reset();
                 QTest::qWait(60);
-                expectWhole(*window_, look + ", " + what);
+                expectWholeAndItsLanguage(*window_, look + ", " + what);
                 EXPECT_EQ(window_->size(), size) << look.toStdString();
                 if (const QString folder = qEnvironmentVariable("NOCTULE_TEST_PICTURES"); !folder.isEmpty())
                     window_->grab().save(
@@ -72,12 +72,6 @@ TEST_P(RoomLook, IsWholeAndInOneLanguage) {
     open("short_001", "3.2");  // the rest pose and hardly more
     survey();
     lookAt("room of a short take");
-    if (GetParam() != std::string("de"))
-        return;
-    for (const QLabel* label : window_->findChildren<QLabel*>())
-        for (const char* english : {" the ", " of ", " and ", " is ", " are "})
-            EXPECT_FALSE(label->isVisible() && label->text().contains(english))
-                << label->text().toStdString();
 }
 
 INSTANTIATE_TEST_SUITE_P(Languages, RoomLook, testing::Values("en", "de"));

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds what a window cuts: texts that need more than they have, widgets smaller than they can be, outside of
 // their parents or lying on each other. What a scroll area holds may be larger than its view; what is elided
-// on purpose shows its whole text as a tooltip.
+// on purpose shows its whole text as a tooltip. Texts that a widget paints by itself count like labels:
+// cells, headers, legends, marks.
 #pragma once
 
 #include <QAbstractButton>
@@ -15,11 +16,13 @@
 #include <QLineEdit>
 #include <QMainWindow>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSplitterHandle>
 #include <QStringList>
 #include <QStyle>
 #include <QStyleOptionComboBox>
 
+#include "tests/ui/support/painted_text.h"
 #include "ui/widgets/elided_label.h"
 
 namespace noctule::ui::test {
@@ -30,8 +33,11 @@ public:
     static QStringList in(const QWidget& root) {
         Clipping found;
         for (const QWidget* widget : root.findChildren<QWidget*>())
-            if (widget->isVisibleTo(&root) && widget->window() == root.window() && !isInside(*widget))
-                found.look(*widget, root);
+            if (widget->isVisibleTo(&root) && widget->window() == root.window()) {
+                found.lookAtPaintedTexts(*widget);
+                if (!isInside(*widget))
+                    found.look(*widget, root);
+            }
         return found.sentences_;
     }
 
@@ -83,6 +89,44 @@ private:
             if (line->text().isEmpty() && needed > line->width() - 4)
                 tell(widget, line->placeholderText(), needed, line->width() - 4);
         }
+    }
+
+    void lookAtPaintedTexts(const QWidget& widget) {
+        const std::vector<PaintedText> texts = TextRecorder::textsOf(widget);
+        const auto* area =
+            scrolls(widget) ? static_cast<const QAbstractScrollArea*>(widget.parentWidget()) : nullptr;
+        const bool scrolls_across = area && area->horizontalScrollBar()->maximum() > 0;
+        for (size_t i = 0; i < texts.size(); ++i) {
+            const auto& [text, place, room] = texts[i];
+            if (text.trimmed().isEmpty())
+                continue;
+            const double across = std::max(room.left() - place.left(), place.right() - room.right());
+            const double down = std::max(room.top() - place.top(), place.bottom() - room.bottom());
+            if (text.contains(kEllipsis) && !isWholeElsewhere(widget, texts[i]))
+                sentences_ += QStringLiteral("%1 cuts “%2”").arg(nameOf(widget), text);
+            else if (place.intersects(room) && ((across > 2 && !scrolls_across) || (down > 4 && !area)))
+                tell(widget, text, qRound(place.width()), qRound(place.width() - across));
+            for (size_t j = 0; j < i; ++j)
+                if (const QRectF both = texts[j].place.adjusted(1, 2, -1, -2) & place.adjusted(1, 2, -1, -2);
+                    both.width() > 2 && both.height() > 2 && !texts[j].text.trimmed().isEmpty() &&
+                    texts[j].text != text)
+                    sentences_ +=
+                        QStringLiteral("%1 paints “%2” on “%3”").arg(nameOf(widget), text, texts[j].text);
+        }
+    }
+
+    /// A text with an ellipsis of its own, or one that a tooltip shows whole.
+    static bool isWholeElsewhere(const QWidget& widget, const PaintedText& painted) {
+        QStringList own{widget.property("text").toString(), widget.property("placeholderText").toString()};
+        QStringList tooltips{widget.toolTip()};
+        if (const auto* view = qobject_cast<const QAbstractItemView*>(widget.parentWidget())) {
+            const QModelIndex index = view->indexAt(painted.place.center().toPoint());
+            own += index.data().toString();
+            tooltips += index.data(Qt::ToolTipRole).toString();
+        }
+        const QString begin = painted.text.section(kEllipsis, 0, 0);
+        return qobject_cast<const ElidedLabel*>(&widget) || own.join('\n').contains(painted.text) ||
+               tooltips.join('\n').contains(begin);
     }
 
     void lookAtSize(const QWidget& widget) {
@@ -191,6 +235,8 @@ private:
                             QString::fromLatin1(parent->metaObject()->className()).remove("noctule::ui::")
                       : name;
     }
+
+    static constexpr QChar kEllipsis{0x2026};
 
     QStringList sentences_;
 };

@@ -142,13 +142,14 @@ QSize BodyMap::sizeHint() const {
 }
 
 QSize BodyMap::minimumSizeHint() const {
-    return {Theme::get().px(520), std::max(Theme::get().px(340), static_cast<int>(9 * labelHeight()))};
+    return {Theme::get().px(520),
+            std::max(Theme::get().px(340), Theme::get().px(kTop) + static_cast<int>(9 * labelHeight()))};
 }
 
 double BodyMap::labelHeight() const {
     const Theme& theme = Theme::get();
     return QFontMetrics(theme.font(TextRole::kBody, true)).height() +
-           QFontMetrics(theme.font(TextRole::kSecondary)).height() + theme.px(6);
+           QFontMetrics(theme.font(TextRole::kSecondary)).height() + theme.px(3);
 }
 
 int BodyMap::drawingHeight() const {

@@ -59,7 +59,7 @@ protected:
 
 private:
     static constexpr int kTop = 36, kBottom = 12;  ///< pixels above and below the drawing
-    static constexpr int kLabelWidth = 132, kLabelGap = 20, kLeader = 28;
+    static constexpr int kLabelWidth = 136, kLabelGap = 20, kLeader = 28;
 
     struct Place {
         MapMarker* marker;

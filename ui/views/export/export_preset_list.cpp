@@ -105,8 +105,8 @@ void ExportPresetList::refresh() {
             auto* item = new QListWidgetItem(preset.name, list_);
             item->setData(kKeyRole, preset.key);
             item->setData(kDetailRole, preset.detail);
-            item->setToolTip(preset.detail);
-            item->setData(Qt::AccessibleDescriptionRole, item->toolTip());
+            item->setToolTip(preset.name + '\n' + preset.detail);
+            item->setData(Qt::AccessibleDescriptionRole, preset.detail);
         }
         list_->setCurrentRow(std::max(0, presets_.indexOf(key)));
     }

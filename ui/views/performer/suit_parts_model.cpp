@@ -97,6 +97,8 @@ QVariant SuitPartsModel::data(const QModelIndex& index, int role) const {
             return text(part, index.column());
         case Qt::TextAlignmentRole:
             return int(Qt::AlignVCenter | (index.column() == kName ? Qt::AlignLeft : Qt::AlignRight));
+        case Qt::ToolTipRole:  // the name may be cut
+            return index.column() == kName ? text(part, kName) : QVariant();
         case Qt::AccessibleTextRole:
             return spokenText(part, index.column());
         case Qt::ForegroundRole:

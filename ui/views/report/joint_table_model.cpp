@@ -55,6 +55,8 @@ QVariant JointTableModel::data(const QModelIndex& index, int role) const {
         case Qt::TextAlignmentRole:
             return static_cast<int>(Qt::AlignVCenter |
                                     (index.column() == kJoint ? Qt::AlignLeft : Qt::AlignRight));
+        case Qt::ToolTipRole:  // the name may be cut
+            return index.column() == kJoint ? text(joint, kJoint) : QVariant();
         case Qt::AccessibleTextRole:
             return index.column() == kRanges ? tr("%1 backed by ranges").arg(text(joint, kRanges))
                                              : text(joint, index.column());

@@ -27,7 +27,7 @@ ReportView::ReportView(ReviewContext& review, FullReport& report, QWidget* paren
       report_(report),
       title_(new ElidedLabel({}, TextRole::kSection, Ink::kValue, true)),
       zoom_label_(new Label({}, TextRole::kSecondary, Ink::kLabel)),
-      search_(new SearchField(tr("Find in the report"))),
+      search_(new SearchField(tr("Find", "in the report"))),
       contents_(new QListWidget),
       page_(new ReportBrowser),
       save_(makeButton(ButtonKind::kOutlined, tr("Save"), "disk")) {
@@ -61,6 +61,7 @@ QWidget* ReportView::makeHead() {
     auto* back = makeButton(ButtonKind::kText, tr("Back to the take"), "prev", QKeySequence(Qt::Key_Escape));
     auto* smaller = new ToolButton("minus", tr("Smaller"), QKeySequence::ZoomOut);
     auto* larger = new ToolButton("new", tr("Larger"), QKeySequence::ZoomIn);
+    search_->setAccessibleName(tr("Find in the report"));
     keepMinimumWidth(*search_, 112);
     keepMaximumWidth(*search_, 200);
     title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);

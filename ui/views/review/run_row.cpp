@@ -26,7 +26,7 @@ void RunRow::setState(const QString& number, const QString& detail) {
     number_ = number;
     detail_ = detail;
     setAccessibleName(tr("Result %1, %2, %3").arg(number, text(), detail));
-    setToolTip(text());
+    setToolTip(text() + '\n' + detail);
     update();
 }
 
