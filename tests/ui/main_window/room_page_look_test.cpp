@@ -6,6 +6,7 @@
 #include "tests/support/program_run.h"
 #include "tests/ui/main_window/clipping_fixture.h"
 #include "ui/main_window/side_docks.h"
+#include "ui/widgets/button.h"
 #include "ui/wizards/calibrate_page.h"
 #include "ui/wizards/room_page.h"
 #include "ui/wizards/task_card.h"
