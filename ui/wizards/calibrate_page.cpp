@@ -187,7 +187,7 @@ QString CalibratePage::importFile(const QString& path) {
     const QString why = studio_.calibrations().importFile(path);
     if (why.isEmpty())
         studio_.sayOfFile(tr("%1 is in use; undo with %2.", "file, key")
-                        .arg(QFileInfo(path).fileName(), keysText(QKeySequence("Ctrl+Z"))));
+                              .arg(QFileInfo(path).fileName(), keysText(QKeySequence("Ctrl+Z"))));
     return why;
 }
 
