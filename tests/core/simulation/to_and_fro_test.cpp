@@ -9,14 +9,14 @@ namespace noctule::simulation {
 namespace {
 
 TEST(ToAndFro, TimeGoesForthAndBackWithoutAJump) {
-    constexpr double kStep_s = 1e-4;
+    constexpr double kInstant_s = 1e-4;
     for (const double once_s : {0.7, 3.0, 20.0}) {
         double most = 0, least_after = once_s;
-        for (double t_s = kStep_s; t_s < 5 * once_s + 10; t_s += 0.0113) {
-            const PlayedTime before = toAndFro(t_s - kStep_s, once_s), now = toAndFro(t_s, once_s),
-                             after = toAndFro(t_s + kStep_s, once_s);
-            EXPECT_NEAR(now.rate, (after.t_s - before.t_s) / (2 * kStep_s), 1e-4) << once_s << " at " << t_s;
-            EXPECT_NEAR(now.acceleration_per_s, (after.rate - before.rate) / (2 * kStep_s), 1e-2)
+        for (double t_s = kInstant_s; t_s < 5 * once_s + 10; t_s += 0.0113) {
+            const PlayedTime before = toAndFro(t_s - kInstant_s, once_s), now = toAndFro(t_s, once_s),
+                             after = toAndFro(t_s + kInstant_s, once_s);
+            EXPECT_NEAR(now.rate, (after.t_s - before.t_s) / (2 * kInstant_s), 1e-4) << once_s << " at " << t_s;
+            EXPECT_NEAR(now.acceleration_per_s, (after.rate - before.rate) / (2 * kInstant_s), 1e-2)
                 << once_s << " at " << t_s;
             EXPECT_GE(now.t_s, -1e-9);
             EXPECT_LE(now.t_s, once_s + 1e-9);

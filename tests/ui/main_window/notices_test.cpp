@@ -57,7 +57,7 @@ TEST_F(NoticesTest, AFailedProcessingIsForgottenWithTheNext) {
     openSampleTake();
     emit studio_->failed("The take could not be processed", "Free some room", About::kProcess);
     ASSERT_EQ(told().size(), 1);
-    studio_->process(Studio::accurateRequest(studio_->take().path().toStdString()));
+    studio_->processAccurately(studio_->take().path().toStdString(), {});
     EXPECT_EQ(told(), QStringList());
     EXPECT_TRUE(waitFor([this] { return studio_->jobs().idle(); }));
 }
