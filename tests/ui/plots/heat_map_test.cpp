@@ -36,7 +36,7 @@ TEST_F(HeatMapTest, CellsSayWhatThePairsDid) {
     EXPECT_EQ(content.cell(0, 1).state, PairCell::State::kLost);
     EXPECT_EQ(content.cell(0, 0).words, "Source 1 to board 1, right forearm: 0.20");
     ASSERT_EQ(content.groups.size(), 2u);
-    EXPECT_EQ(content.groups[0].name, "Right arm");
+    EXPECT_EQ(content.groups[0].name, "R arm");
 }
 
 TEST_F(HeatMapTest, AClickChoosesThePairEverywhere) {
