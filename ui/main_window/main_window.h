@@ -90,6 +90,7 @@ private:
     void restoreGeometryKept();
     void openTake(const QString& path);
     void recoverWanted(SessionMarker::Finding finding);
+    void onSessionExchanged();
     void onSessionOpened();
     void onTakeOpened();
     void showSuit();

@@ -62,6 +62,7 @@ QStringList localPaths(const QMimeData& data) {
 }  // namespace
 
 void MainWindow::connectStudio() {
+    connect(&studio_.session(), &SessionModel::exchanged, this, &MainWindow::onSessionExchanged);
     connect(&studio_.session(), &SessionModel::opened, this, &MainWindow::onSessionOpened);
     connect(&studio_.session(), &SessionModel::changed, this, &MainWindow::refreshTitle);
     connect(&studio_.session(), &SessionModel::takeAdded, this, [this] { goTo(Step::kReview); });
@@ -81,6 +82,9 @@ void MainWindow::connectStudio() {
 void MainWindow::connectNotices() {
     SessionModel& session = studio_.session();
     connect(&session, &SessionModel::failed, this,
+            [this](const QString& message) { onMessage(message, About::kTakes); });
+    connect(&session, &SessionModel::triedAnew, this, [this] { forget(About::kTakes); });
+    connect(&session, &SessionModel::notSaved, this,
             [this](const QString& message) { onMessage(message, About::kSession); });
     connect(&session, &SessionModel::savedAgain, this,
             [this](const QString& message) { notices_->remove(firstSentence(message)); });
@@ -168,14 +172,21 @@ void MainWindow::recoverWanted(SessionMarker::Finding finding) {
         session.recover(index);
 }
 
+/// What concerns the new session is told from opened() on.
+void MainWindow::onSessionExchanged() {
+    const SessionModel& session = studio_.session();
+    const QString now =
+        session.isOpen() ? QString::fromStdString(session.session().folder.string()) : QString();
+    if (now == std::exchange(folder_, now))
+        return;
+    for (const About about : {About::kSession, About::kTakes, About::kCapture, About::kSuit, About::kTake,
+                              About::kProcess, About::kFile})
+        forget(about);
+}
+
 void MainWindow::onSessionOpened() {
     SessionModel& session = studio_.session();
     const bool open = session.isOpen();
-    if (const QString now = open ? QString::fromStdString(session.session().folder.string()) : QString();
-        now != std::exchange(folder_, now))
-        for (const About about :
-             {About::kSession, About::kCapture, About::kSuit, About::kTake, About::kProcess, About::kFile})
-            forget(about);
     for (const Command command : {Command::kBody, Command::kShowFolder, Command::kCloseSession})
         (*actions_)[command]->setEnabled(open);
     if (!open) {

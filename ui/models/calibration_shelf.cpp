@@ -106,6 +106,7 @@ void CalibrationShelf::follow() {
     const bool is_same_session = folder() == folder_;
     const QString before = std::exchange(in_force_, fileInForce());
     folder_ = folder();
+    emit replaced();
     read();
     if (is_same_session)
         noteWhatWasTakenBack(before);

@@ -3,7 +3,6 @@
 
 #include <QDir>
 #include <QStandardPaths>
-#include <algorithm>
 
 namespace noctule::ui {
 namespace {
@@ -28,7 +27,6 @@ CaptureContext::CaptureContext(SharedContext& shared)
       virtual_suit_(shared.jobs(), virtualSuitParts(shared.parts())),
       second_virtual_suit_(shared.jobs(), virtualSuitParts(shared.parts())),
       remote_start_(shared.settings()) {
-    looked_at_ = &suits_.current();
     connectSuits();
     connectVirtualSuits();
 }
@@ -44,14 +42,14 @@ void CaptureContext::connectSuits() {
     });
     QObject::connect(&suits_, &LiveSuits::warned, &here_,
                      [this](const QString& what) { emit shared_.warned(what, About::kCapture); });
-    QObject::connect(&suits_, &LiveSuits::currentChanged, &here_, [this] { followChoice(); });
+    QObject::connect(&suits_, &LiveSuits::refused, &shared_, &SharedContext::say);
     suits_.forEach(&here_, [this](SuitInUse& worn) {
         QObject::connect(&worn.suit, &LiveSuit::phaseChanged, &here_, [this, &worn] { followSuit(worn); });
         CalibrationShelf& shelf = worn.calibrations;
         QObject::connect(&shelf, &CalibrationShelf::warned, &here_,
                          [this](const QString& what) { emit shared_.warned(what, About::kSuit); });
         QObject::connect(&shelf, &CalibrationShelf::replaced, &here_,
-                         [this] { emit shared_.settled(About::kSuit); });
+                         [this, &worn] { settleCalibration(worn); });
         QObject::connect(&shelf, &CalibrationShelf::told, &shared_, &SharedContext::said);
         QObject::connect(&shelf, &CalibrationShelf::changed, &here_,
                          [this, &worn] { suits_.setChecked(worn, {}); });
@@ -142,12 +140,10 @@ void CaptureContext::settleCapture(const SuitInUse& worn) {
         emit shared_.settled(About::kSuit);
 }
 
-/// The operator looks at another suit; when one has gone, another is looked at by itself.
-void CaptureContext::followChoice() {
-    const auto connected = suits_.connected();
-    if (std::ranges::find(connected, looked_at_) != connected.end())
-        emit shared_.settled(About::kCapture);
-    looked_at_ = &suits_.current();
+/// Of several suits nobody knows which one a warning was about: it stays.
+void CaptureContext::settleCalibration(const SuitInUse& worn) {
+    if (!suits_.areSeveral() && &worn == &suits_.current())
+        emit shared_.settled(About::kSuit);
 }
 
 void CaptureContext::followSuit(SuitInUse& worn) {

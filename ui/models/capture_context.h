@@ -47,7 +47,7 @@ private:
     void connectVirtualSuits();
     void followSuit(SuitInUse& worn);
     void settleCapture(const SuitInUse& worn);
-    void followChoice();
+    void settleCalibration(const SuitInUse& worn);
     void followVirtualSuits();
 
     SharedContext& shared_;
@@ -55,7 +55,6 @@ private:
     LiveSuits suits_;
     VirtualSuit virtual_suit_, second_virtual_suit_;
     RemoteStart remote_start_;
-    const SuitInUse* looked_at_ = nullptr;
     bool virtual_suit_ends_ = false, second_virtual_suit_ends_ = false, second_virtual_suit_waits_ = false;
     QObject here_;  ///< receives what is told; gone before all others
 };

@@ -64,7 +64,20 @@ void LiveSuits::forEach(QObject* owner, std::function<void(SuitInUse&)> act) {
     followers_.push_back({owner, std::move(act)});
 }
 
+void LiveSuits::setChoiceGuard(QObject* owner, std::function<QString()> why_not) {
+    guard_ = owner;
+    why_not_other_ = std::move(why_not);
+}
+
 void LiveSuits::setCurrent(SuitInUse& worn) {
+    const QString why = &worn != current_ && guard_ ? why_not_other_() : QString();
+    if (why.isEmpty())
+        lookAt(worn);
+    else
+        emit refused(why);
+}
+
+void LiveSuits::lookAt(SuitInUse& worn) {
     if (&worn == current_)
         return;
     current_ = &worn;
@@ -114,7 +127,7 @@ void LiveSuits::followPhase(SuitInUse& worn) {
         worn.performer = -1;
         worn.calibrations.setBeside(worn.is_beside);
     } else if (worn.suit.phase() == Phase::kNone && &worn == current_) {
-        setCurrent(others.empty() ? *all_.front() : *others.front());
+        lookAt(others.empty() ? *all_.front() : *others.front());
     } else if (worn.is_beside && worn.performer < 0) {
         assignPerformer(worn);
     }

@@ -58,14 +58,18 @@ public:
     /// Always there; not connected: none is.
     SuitInUse& current() { return *current_; }
     const SuitInUse& current() const { return *current_; }
+    /// By the operator; refused() where the guard objects.
     void setCurrent(SuitInUse& worn);
+    /// Asked, while `owner` lives, before the operator looks at another suit: why that cannot be now, else
+    /// empty.
+    void setChoiceGuard(QObject* owner, std::function<QString()> why_not);
     /// In the order in which they stand in a take.
     std::vector<SuitInUse*> connected() const;
     bool areSeveral() const { return connected().size() > 1; }
     bool isFull() const { return connected().size() >= kMost; }
     /// Null: no suit is connected there.
     SuitInUse* at(const QString& address) const;
-    /// One more beside those that are connected; it is looked at then.
+    /// One more beside those that are connected; it is looked at then, unless the guard objects.
     void add(const QString& address, const KnownWearing& known = {});
     /// Who wears it: "Ada"; without a session "Performer 2"; "Room" of anchors that nobody wears.
     QString nameOf(const SuitInUse& worn) const;
@@ -125,6 +129,7 @@ public:
 
 signals:
     void currentChanged();
+    void refused(const QString& why);  ///< to look at another suit
     /// Which are connected, who wears them, how they fare.
     void changed();
     void recordingStarted(const QString& take_name);
@@ -148,6 +153,7 @@ private:
             return worn.calibrations;
     }
     SuitInUse& make();
+    void lookAt(SuitInUse& worn);
     void followPhase(SuitInUse& worn);
     void assignPerformers();
     void assignPerformer(SuitInUse& worn);
@@ -170,6 +176,8 @@ private:
     StorageWatch storage_;
     std::vector<std::unique_ptr<SuitInUse>> all_;
     SuitInUse* current_ = nullptr;
+    QPointer<QObject> guard_;
+    std::function<QString()> why_not_other_;
     struct Follower {
         QPointer<QObject> owner;
         std::function<void(SuitInUse&)> act;

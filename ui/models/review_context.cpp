@@ -27,7 +27,8 @@ ReviewContext::ReviewContext(SharedContext& shared)
                      [&shared](const QString& what, const QString& remedy) {
                          emit shared.failed(what, remedy, About::kTake);
                      });
-    QObject::connect(&changes_, &TakeChanges::written, &here_,
+    // What is written may have been ordered before what failed: only a new order tries it anew.
+    QObject::connect(&changes_, &TakeChanges::ordered, &here_,
                      [&shared] { emit shared.settled(About::kTake); });
     QObject::connect(&take_, &TakeDocument::opened, &here_, [this] { followTake(); });
 }

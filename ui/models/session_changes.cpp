@@ -87,6 +87,7 @@ void SessionModel::push(const QString& what, Step redo, Step undo, const QString
 }
 
 bool SessionModel::apply(const Step& step) {
+    emit triedAnew();
     const Status done = step(*session_);
     if (done)
         noteChange();

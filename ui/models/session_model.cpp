@@ -45,7 +45,7 @@ SessionModel::SessionModel(Jobs& jobs, std::function<QString()> home, QObject* p
             unsaved_ = failureText(tr("The session could not be saved. Your takes are safe; the changes are "
                                       "kept here and saved with the next one"),
                                    error);
-        emit failed(unsaved_);
+        emit notSaved(unsaved_);
     });
     connect(&saver_, &SessionSaver::savedAgain, this,
             [this] { emit savedAgain(std::exchange(unsaved_, {})); });
@@ -73,6 +73,7 @@ QString SessionModel::whyNotHere() const {
 }
 
 bool SessionModel::create(const QString& folder, const QString& name) {
+    emit triedAnew();
     auto made = createSession(pathOf(folder), name.toStdString(), nowUtc());
     if (!made) {
         tell(tr("The session “%1” was not made").arg(name), made.error());
@@ -108,6 +109,7 @@ void SessionModel::rebuild(const QString& folder) {
 
 void SessionModel::openWith(const QString& title, const QString& folder, const QString& take,
                             std::function<Result<Session>(const JobContext&)> work) {
+    emit triedAnew();
     if (opening_)
         opening_->cancel();
     struct Found {
@@ -168,6 +170,7 @@ void SessionModel::leave() {
 }
 
 void SessionModel::announce() {
+    emit exchanged();
     emit opened();
     emit changed();
     emit currentTakeChanged(current_);
@@ -226,6 +229,7 @@ void SessionModel::refresh(const QString& take_path) {
 void SessionModel::importTakes(const QStringList& paths) {
     if (!session_ || paths.isEmpty())
         return;
+    emit triedAnew();
     struct Imported {
         std::vector<std::filesystem::path> files;
         QStringList problems;
@@ -271,6 +275,7 @@ void SessionModel::recover(int take) {
     const std::string name = session_->takes[static_cast<size_t>(take)].name;
     if (!recovering_.insert(name).second)
         return;
+    emit triedAnew();
     emit recoveryChanged(take);
     const QString title = tr("Recovering %1").arg(QString::fromStdString(name));
     jobs_.start<Session>(

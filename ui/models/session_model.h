@@ -100,12 +100,16 @@ signals:
     // By the operator, who can take it back:
     void takeTrashed(const QString& name);
     void takeMoved(const QString& outcome);  ///< says to where, as a sentence without its stop
+    void exchanged();                        ///< comes before opened(): what was told before is over
     void opened();                           ///< or closed
     void changed();                          ///< anything of the session
     void currentTakeChanged(int index);
     void takeAdded(const QString& name);  ///< imported
     void failed(const QString& message);
-    /// That the session could not be saved, which failed() has told, is over.
+    /// A session is opened, or something of it changed, imported or moved: what failed before is over.
+    void triedAnew();
+    void notSaved(const QString& message);
+    /// What notSaved() has told is over.
     void savedAgain(const QString& message);
     /// Opening failed in a way that rebuild() may mend; instead of failed(). `problem` is a sentence without
     /// its stop and says which takes are safe.

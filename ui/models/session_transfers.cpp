@@ -45,6 +45,7 @@ QString leftOf(const TakeTransfer& transfer) {
 void SessionModel::transferTake(int take, const QString& folder, Transfer how) {
     if (!session_ || take < 0 || take >= static_cast<int>(session_->takes.size()))
         return;
+    emit triedAnew();
     const std::string name = session_->takes[static_cast<size_t>(take)].name;
     const bool moves = how == Transfer::kMove;
     if (const Status may = moves ? mayMove(name) : Status(Done{}); !may) {

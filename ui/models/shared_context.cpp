@@ -36,11 +36,11 @@ SharedContext::SharedContext(StudioParts parts, QObject* parent)
     connect(&shown_body_, &ShownBody::failed, this,
             [this](const QString& what, const QString& remedy) { emit failed(what, remedy, About::kFile); });
     connect(&shown_body_, &ShownBody::changed, this, [this] {
-        if (!shown_body_.problem())
+        if (!shown_body_.problem() && !shown_body_.undrawn())
             emit settled(About::kFile);
     });
     connect(&shown_body_, &ShownBody::warned, this,
-            [this](const QString& what) { emit warned(what, About::kSession); });
+            [this](const QString& what) { emit warned(what, About::kFile); });
     loadBody();
 }
 

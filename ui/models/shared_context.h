@@ -40,12 +40,13 @@ struct StudioParts {
 
 /// What a failure or a warning is about. It is told until that is tried anew, succeeds or is exchanged.
 enum class About {
-    kSession,  ///< until another session is opened
-    kCapture,  ///< connecting suits and recording them
-    kSuit,     ///< the suit that is connected, with its calibration
-    kTake,     ///< the take under review, which is opened or changed
-    kProcess,  ///< a take that is processed
-    kFile,     ///< a file that is written or read for the operator
+    kSession,  ///< that it is not saved, until it is saved again or another one is opened
+    kTakes,    ///< the session's takes and settings, until one is changed, imported or moved anew
+    kCapture,  ///< connecting suits and recording them, until either begins anew
+    kSuit,     ///< the suit that is connected, until another one is or its calibration is exchanged
+    kTake,     ///< the take under review, until another one is opened or a change is ordered
+    kProcess,  ///< a take that is processed, until one is processed again or another one is opened
+    kFile,     ///< a file that is written or read for the operator, until the next one
 };
 
 enum class Step { kStart, kConnect, kCalibrate, kRecord, kReview, kExport, kPerformer, kRobot };
@@ -89,10 +90,9 @@ signals:
     /// A sentence for the status bar.
     void said(const QString& text);
     /// Something failed: what happened, and what to do.
-    void failed(const QString& what, const QString& remedy,
-                noctule::ui::About about = noctule::ui::About::kSession);
+    void failed(const QString& what, const QString& remedy, noctule::ui::About about);
     /// Nothing failed, but it should be known: whole sentences.
-    void warned(const QString& what, noctule::ui::About about = noctule::ui::About::kSession);
+    void warned(const QString& what, noctule::ui::About about);
     /// What was told of it holds no longer.
     void settled(noctule::ui::About about);
 

@@ -122,11 +122,11 @@ void ShownBody::keep(const SessionBody& body, ReadBody read) {
     if (!(body.mesh == shown_.mesh && body.choices == shown_.choices))
         return;  // another was chosen meanwhile
     read_ = std::move(read);
+    emit changed();  // which ends what was told of the mesh before
     if (read_.problem)
         emit failed(coreWords(read_.problem->message), coreWords(read_.problem->remedy));
     else if (read_.textures)
         emit warned(coreWords(read_.textures->message) + ". " + coreWords(read_.textures->remedy) + ".");
-    emit changed();
 }
 
 }  // namespace noctule::ui

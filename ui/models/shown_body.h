@@ -47,6 +47,8 @@ public:
     Blending blending() const;
     /// What is wrong with the mesh that the session names.
     const std::optional<Error>& problem() const { return read_.problem; }
+    /// Why some of its textures are not drawn.
+    const std::optional<Error>& undrawn() const { return read_.textures; }
     /// A job; `done` is not called when `context` is gone or it was cancelled.
     Job* read(const SessionBody& body, QObject* context, std::function<void(const ReadBody&)> done);
 

@@ -51,6 +51,7 @@ StudioLog::StudioLog(Studio& studio, LogFile& log, QObject* parent)
     connect(&studio, &Studio::warned, this, [this](const QString& what) { log_.write("warning", what); });
     const auto error = [this](const QString& what) { log_.write("error", what); };
     connect(&studio.session(), &SessionModel::failed, this, error);
+    connect(&studio.session(), &SessionModel::notSaved, this, error);
     connect(&studio.take(), &TakeDocument::failed, this, error);
     connect(&studio.session(), &SessionModel::opened, this, [this] {
         const auto& session = studio_.session();

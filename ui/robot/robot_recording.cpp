@@ -73,10 +73,10 @@ void RobotDrive::setRecording(bool on) {
         return;
     auto sink = robot_link::sinkIntoTake(studio_.take().path().toStdString());
     if (!sink) {
-        emit studio_.failed(coreWords(sink.error().message), coreWords(sink.error().remedy), About::kTake);
+        emit studio_.failed(coreWords(sink.error().message), coreWords(sink.error().remedy), About::kCapture);
         return emit recordingChanged();
     }
-    emit studio_.settled(About::kTake);
+    emit studio_.settled(About::kCapture);
     beginRecording(std::move(*sink), 0);
 }
 
@@ -130,7 +130,7 @@ void RobotDrive::recorded(const robot_link::DriveRecord& record, const QString& 
                                                    .arg(take)
                                              : QString();
         emit studio_.failed(coreWords(record.trouble->message) + (lost.isEmpty() ? "" : " " + lost),
-                            coreWords(record.trouble->remedy), About::kTake);
+                            coreWords(record.trouble->remedy), About::kCapture);
     } else {
         studio_.say(tr("The robot’s commands and states are in %1.").arg(take));
     }

@@ -101,13 +101,14 @@ Button* CalibratePage::startButton(WizardTask task) {
 QWidget* CalibratePage::makeSuits() {
     auto* of_suit = new QWidget;
     makeColumn(of_suit)->addWidget(suits_);
-    suits_->setGuard([this] { return whyNotOtherSuit(); });
+    studio_.suits().setChoiceGuard(this, [this] { return whyNotOtherSuit(); });
     return of_suit;
 }
 
 /// What was taken of one suit would be lost.
 QString CalibratePage::whyNotOtherSuit() {
-    const bool has_begun = showsWizard() && wizard_->run()->phase() != WizardRun::Phase::kIntro;
+    const bool has_begun =
+        showsWizard() && wizard_->run()->phase() != WizardRun::Phase::kIntro && !wizard_->run()->isSaved();
     return has_begun ? tr("Finish or leave this calibration, then choose another suit.") : QString();
 }
 

@@ -73,7 +73,7 @@ void WizardRun::restoreReadings(const FieldGuide* before, const Suit& suit_befor
     const auto record = readFieldTake(unfinished_.evidence.front().path.toStdString(), suit_);
     if (!record) {
         unfinished_.evidence.clear();
-        return emit capture_.shared().warned(coreWords(record.error()));
+        return emit capture_.shared().warned(coreWords(record.error()), About::kSuit);
     }
     for (int board = 0; board < static_cast<int>(suit_.boards.size()); ++board)
         guide->give(board, record->readings[static_cast<size_t>(board)]);

@@ -20,7 +20,7 @@ void WizardRun::dropEvidence(int step) {
             if (const Status moved =
                     moveTakeFiles(from, nextTakePath(trash, takeBaseName(from.stem().string())));
                 !moved)
-                emit capture_.shared().warned(coreWords(moved.error()));
+                emit capture_.shared().warned(coreWords(moved.error()), About::kSuit);
         }
     std::erase_if(unfinished_.evidence, [step](const WizardEvidence& part) { return part.step == step; });
 }
@@ -39,7 +39,7 @@ void WizardRun::store() const {
     if (path.isEmpty() || isWorn(task_))
         return;
     if (const Status written = writeUnfinished(path, keyOf(task_), unfinished_); !written)
-        emit capture_.shared().warned(coreWords(written.error()));
+        emit capture_.shared().warned(coreWords(written.error()), About::kSuit);
 }
 
 void WizardRun::restore() {

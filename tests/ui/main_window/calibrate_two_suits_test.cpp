@@ -59,6 +59,10 @@ TEST_F(CalibrateTwoSuits, WhatAWizardHasTakenIsNotLostByLookingAtTheOther) {
     EXPECT_EQ(page().wizard().run()->phase(), WizardRun::Phase::kGuiding);
     ASSERT_EQ(said.count(), 1);
     EXPECT_TRUE(said[0][0].toString().contains("Finish or leave this calibration"));
+    studio_->suits().setCurrent(*studio_->suits().connected()[0]);
+    studio_->suits().add(QString::fromStdString(ann_.address()));
+    EXPECT_EQ(&studio_->suits().current(), studio_->suits().connected()[1]) << "nor from another page";
+    EXPECT_EQ(said.count(), 3);
     page().closeWizard();
     performer(0).click();
     EXPECT_EQ(&studio_->suits().current(), studio_->suits().connected()[0]);

@@ -58,7 +58,7 @@ TEST_F(HelpWindowTest, ADiagnosisSaysWhatHappenedAndNotToWhom) {
     LogFile log(folder_.filePath("state"));
     const StudioLog follows(*studio_, log);
     openSampleTake();
-    emit studio_->failed("the disk is full", "Free some space");
+    emit studio_->failed("the disk is full", "Free some space", About::kFile);
     const QString session = QString::fromStdString(studio_->session().session().folder.string());
     const QString text = diagnosisText(*studio_, log);
     EXPECT_TRUE(text.contains("error the disk is full | Free some space"));

@@ -304,8 +304,8 @@ TEST_F(MainWindowTest, FitsTheSmallestScreen) {
 }
 
 TEST_F(MainWindowTest, AFailureIsToldOnceAboveThePage) {
-    emit studio_->failed("The take could not be processed", "Free some room");
-    emit studio_->failed("The take could not be processed", "Free some room");
+    emit studio_->failed("The take could not be processed", "Free some room", About::kProcess);
+    emit studio_->failed("The take could not be processed", "Free some room", About::kProcess);
     EXPECT_EQ(window_->notices().titles(), QStringList{"The take could not be processed"});
     EXPECT_TRUE(window_->notices().isVisible());
 }

@@ -32,7 +32,7 @@ TEST_F(NoticesTest, WhatHinderedARecordingIsForgottenWhenOneBegins) {
     TestBox box{{.loops = true}};
     ASSERT_TRUE(connectTo(box));
     emit studio_->failed("Recording did not begin", "Wait", About::kCapture);
-    emit studio_->failed("Something else", "Do something");
+    emit studio_->failed("Something else", "Do something", About::kSession);
     ASSERT_EQ(told().size(), 2);
     ASSERT_EQ(studio_->suits().record({"walk", {}, 0, 0}), "");
     EXPECT_EQ(told(), QStringList{"Something else"});
@@ -51,6 +51,55 @@ TEST_F(NoticesTest, WhatFailedWithOneTakeIsNotToldOfAnother) {
     studio_->take().open(path);
     EXPECT_TRUE(waitFor([&] { return studio_->take().isOpen() && told().isEmpty(); }))
         << told().join('\n').toStdString();
+}
+
+TEST_F(NoticesTest, AMarkerThatWasNotWrittenIsToldUntilTheNextIsSet) {
+    openSampleTake();
+    emit studio_->changes().failed("The marker was not written", "Free some room");
+    emit studio_->changes().written("another.noctule", MarkerChange{});
+    EXPECT_EQ(told(), QStringList{"The marker was not written"}) << "another one was";
+    emit studio_->changes().ordered("another.noctule", MarkerChange{});
+    EXPECT_EQ(told(), QStringList());
+}
+
+TEST_F(NoticesTest, WhatFailedWithATakeOfTheSessionIsForgottenWhenItIsTriedAnew) {
+    openSampleTake();
+    ASSERT_TRUE(waitFor([this] { return studio_->jobs().idle(); }));
+    SessionModel& session = studio_->session();
+    auto kept = session.keepInPlace(session.takePath(0));
+    session.renameTake(0, "kick");
+    ASSERT_EQ(told().size(), 1);
+    kept.reset();
+    session.renameTake(0, "kick");
+    EXPECT_EQ(told(), QStringList());
+}
+
+TEST_F(NoticesTest, ACalibrationThatIsGoneIsToldWhileItIsInForce) {
+    ASSERT_TRUE(studio_->session().create(home() + "-notices", "notices"));
+    const QStringList gone{"The calibration gone.json of this session is gone or damaged"};
+    const auto become = [this](const QStringList& wanted) {
+        return waitFor([&] { return told() == wanted; });
+    };
+    studio_->session().setCalibration("gone.json", "Going back to gone");
+    EXPECT_TRUE(become(gone)) << told().join(", ").toStdString();
+    studio_->session().undoStack().undo();
+    EXPECT_TRUE(become({}));
+    studio_->session().undoStack().redo();
+    const QString folder = QString::fromStdString(studio_->session().session().folder.string());
+    studio_->session().close();
+    EXPECT_TRUE(become({}));
+    studio_->session().open(folder);
+    EXPECT_TRUE(become(gone)) << told().join(", ").toStdString();
+}
+
+TEST_F(NoticesTest, LookingAtAnotherPerformerHidesNothing) {
+    TestBox ann{{.loops = true, .serial = "NB-000001", .drive_hz = 40000}},
+        bob{{.loops = true, .serial = "NB-000002", .drive_hz = 48000}};
+    ASSERT_TRUE(connectTo(ann));
+    ASSERT_TRUE(connectTo(bob));
+    emit studio_->failed("walk_001 ended by itself", "Free some room", About::kCapture);
+    studio_->suits().setCurrent(*studio_->suits().connected()[0]);
+    EXPECT_TRUE(told().contains("walk_001 ended by itself"));
 }
 
 TEST_F(NoticesTest, AFailedProcessingIsForgottenWithTheNext) {

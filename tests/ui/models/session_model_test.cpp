@@ -165,7 +165,7 @@ TEST_F(SessionModelTest, ClosingAndSaveNowWriteAtOnce) {
 
 TEST_F(SessionModelTest, SavingThatFailsIsToldOnceAndTriedAgain) {
     ASSERT_TRUE(openAndWait());
-    QSignalSpy failed(&model_, &SessionModel::failed);
+    QSignalSpy failed(&model_, &SessionModel::notSaved);
     std::filesystem::rename(folder(), home_ / "away");
     model_.rate(0, 3);
     ASSERT_TRUE(waitFor([&] { return failed.count() == 1; }));
@@ -182,7 +182,7 @@ TEST_F(SessionModelTest, SavingThatFailsIsToldOnceAndTriedAgain) {
 
 TEST_F(SessionModelTest, WhereNothingCanBeWrittenTakesAreSafe) {
     ASSERT_TRUE(openAndWait());
-    QSignalSpy failed(&model_, &SessionModel::failed);
+    QSignalSpy failed(&model_, &SessionModel::notSaved);
     std::filesystem::remove(folder() / "session.json");
     std::filesystem::create_directory(folder() / "session.json");
     model_.rate(0, 3);
@@ -239,7 +239,7 @@ TEST_F(SessionModelTest, RenamingOverwritesNothing) {
 
 TEST_F(SessionModelTest, ThatItCouldNotBeSavedIsOverWithTheNextSave) {
     ASSERT_TRUE(openAndWait());
-    QSignalSpy failed(&model_, &SessionModel::failed), again(&model_, &SessionModel::savedAgain);
+    QSignalSpy failed(&model_, &SessionModel::notSaved), again(&model_, &SessionModel::savedAgain);
     const auto away = folder().parent_path() / "away";
     std::filesystem::rename(folder(), away);
     model_.rate(0, 4);

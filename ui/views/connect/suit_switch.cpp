@@ -14,12 +14,7 @@ void SuitSwitch::choose(int index) {
     const auto suits = capture_.suits().connected();
     if (index >= static_cast<int>(suits.size()))
         return;
-    SuitInUse& wanted = *suits[static_cast<size_t>(index)];
-    if (&wanted == &capture_.suits().current())
-        return;
-    if (const QString why = why_not_ ? why_not_() : QString(); !why.isEmpty())
-        return capture_.shared().say(why);
-    capture_.suits().setCurrent(wanted);
+    capture_.suits().setCurrent(*suits[static_cast<size_t>(index)]);
 }
 
 void SuitSwitch::refresh() {

@@ -2,8 +2,6 @@
 // Whose suit is looked at, where several are connected: a button for each performer. Hidden for one.
 #pragma once
 
-#include <functional>
-
 #include "ui/models/capture_context.h"
 #include "ui/views/performer_buttons.h"
 
@@ -14,15 +12,11 @@ class SuitSwitch : public PerformerButtons {
 public:
     explicit SuitSwitch(CaptureContext& capture, QWidget* parent = nullptr);
 
-    /// Asked before another suit is looked at: why that cannot be now, else empty.
-    void setGuard(std::function<QString()> why_not) { why_not_ = std::move(why_not); }
-
 private:
     void refresh();
     void choose(int index);
 
     CaptureContext& capture_;
-    std::function<QString()> why_not_;
 };
 
 }  // namespace noctule::ui

@@ -395,7 +395,7 @@ void RecordingDialog::keep() {
                 shared->goTo(Step::kReview);
             }
             if (!made->warnings.empty())
-                emit shared->warned(wordsOf(made->warnings).replace(QChar(0x0a), QChar(0x20)));
+                emit shared->warned(wordsOf(made->warnings).replace(QChar(0x0a), QChar(0x20)), About::kFile);
             return made->has_poses ? tr("%1 is ready").arg(name)
                                    : tr("%1 is imported, without poses").arg(name);
         });
