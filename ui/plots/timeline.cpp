@@ -150,6 +150,16 @@ void Timeline::contactChosen() {
     showTime();
 }
 
+void Timeline::addContact() {
+    bars_.addAtCursor();
+    contactChosen();
+}
+
+void Timeline::restoreFoundContacts() {
+    bars_.restoreFound();
+    contactChosen();
+}
+
 Timeline::Grip Timeline::gripAt(const QPoint& position) const {
     const Rows r = rows();
     const int reach = Theme::get().px(kGripReach);

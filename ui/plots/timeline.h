@@ -45,6 +45,10 @@ public slots:
     void deleteMarker();
     /// The contact that is chosen, else the marker.
     void deleteChosen();
+    /// At the cursor; one that is there already is chosen.
+    void addContact();
+    /// All contacts as they were found.
+    void restoreFoundContacts();
 
 signals:
     /// Or the chosen contact.

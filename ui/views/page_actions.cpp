@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/page_actions.h"
 
-#include <QWidget>
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QTextEdit>
 
 namespace noctule::ui {
 namespace {
@@ -14,6 +18,14 @@ QList<QKeySequence> sequencesOf(const QKeyEvent& event) {
     if (typed.isPunct() || typed.isSymbol())
         sequences += QKeySequence(event.key() | (modifiers & ~static_cast<int>(Qt::ShiftModifier)));
     return sequences;
+}
+
+/// Text fields leave Ins to their page, where it would change what is behind them.
+bool isInsertOfText(const QKeyEvent& event) {
+    const QWidget* focus = QApplication::focusWidget();
+    return event.key() == Qt::Key_Insert &&
+           (qobject_cast<const QLineEdit*>(focus) || qobject_cast<const QPlainTextEdit*>(focus) ||
+            qobject_cast<const QTextEdit*>(focus) || qobject_cast<const QAbstractSpinBox*>(focus));
 }
 
 }  // namespace
@@ -37,6 +49,8 @@ void PageActions::addSeparator() {
 }
 
 bool PageActions::handleKey(const QKeyEvent& event) {
+    if (isInsertOfText(event))
+        return false;
     const QList<QKeySequence> pressed = sequencesOf(event);
     for (QAction* action : all_)
         if (action->isEnabled() && !action->shortcut().isEmpty() && pressed.contains(action->shortcut())) {

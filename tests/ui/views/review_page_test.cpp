@@ -358,10 +358,33 @@ TEST_F(ReviewPageTest, EveryKeyOfTheMenuActsWhereverTheFocusIs) {
             }
 }
 
+TEST_F(ReviewPageTest, AContactSetFromTheMenuIsTheOneThingChosen) {
+    Timeline& timeline = page_->center().timeline();
+    studio_->markers().add(1);
+    ASSERT_TRUE(waitFor([this] { return studio_->contacts().contacts() && jobsAreDone(); }));
+    studio_->time().setTime(0.5);
+    timeline.goToMarker(1);
+    ASSERT_TRUE(timeline.canEditMarker());
+    QTest::keyClick(&page_->reportPanel(), Qt::Key_Insert);
+    EXPECT_TRUE(timeline.contactBars().hasChosen());
+    EXPECT_FALSE(timeline.canEditMarker());
+}
+
+TEST_F(ReviewPageTest, InsertInANoteSetsNoContact) {
+    ASSERT_TRUE(waitFor([this] { return studio_->contacts().contacts() != nullptr; }));
+    QApplication::setActiveWindow(window_.get());
+    QPlainTextEdit& notes = window_->findChild<NotesPanel*>()->editor();
+    notes.setFocus();
+    ASSERT_TRUE(notes.hasFocus());
+    const int steps = studio_->session().undoStack().count();
+    QTest::keyClick(&notes, Qt::Key_Insert);
+    EXPECT_EQ(studio_->session().undoStack().count(), steps);
+    EXPECT_FALSE(page_->center().timeline().contactBars().hasChosen());
+}
+
 TEST_F(ReviewPageTest, KeysHeldWithOthersAreNotThoseOfTheMenu) {
     const double before_s = studio_->time().time();
     QTest::keyClick(&page_->reportPanel(), Qt::Key_Space, Qt::ShiftModifier);
-    QTest::keyClick(&page_->reportPanel(), Qt::Key_P, Qt::ShiftModifier);
     QTest::keyClick(&page_->reportPanel(), Qt::Key_Right, Qt::AltModifier);
     EXPECT_FALSE(studio_->time().isPlaying());
     EXPECT_DOUBLE_EQ(studio_->time().time(), before_s);

@@ -56,9 +56,9 @@ void ReviewActions::addRange() {
     Timeline& timeline = page_.center().timeline();
     name_marker_ = add(tr("Name marker"), Qt::Key_F2, [&timeline] { timeline.nameMarker(); });
     delete_ = add(tr("Delete marker"), Qt::Key_Delete, [&timeline] { timeline.deleteChosen(); });
-    add(tr("Foot contact here"), Qt::Key_Insert, [&timeline] { timeline.contactBars().addAtCursor(); });
-    found_contacts_ = add(tr("Back to the contacts that were found"), {},
-                          [&timeline] { timeline.contactBars().restoreFound(); });
+    add(tr("Foot contact here"), Qt::Key_Insert, [&timeline] { timeline.addContact(); });
+    found_contacts_ =
+        add(tr("Back to the contacts that were found"), {}, [&timeline] { timeline.restoreFoundContacts(); });
 }
 
 void ReviewActions::addTake() {
