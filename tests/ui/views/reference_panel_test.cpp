@@ -124,6 +124,18 @@ TEST_F(ReferencePanelTest, ReplacingAReferenceCanBeUndoneAndDoneAgain) {
     EXPECT_EQ(reference().size(), attached);
 }
 
+TEST_F(ReferencePanelTest, OneMotionIsAttachedAtATime) {
+    const auto* attach = panel_->findChild<Button*>();
+    ASSERT_TRUE(attach && attach->isEnabled());
+    AttachChoice choice;
+    choice.path = outsideFile("optical.bvh");
+    choice.overwrite = true;
+    panel_->attach(choice);
+    EXPECT_FALSE(attach->isEnabled()) << "the way back of a second one would not be known";
+    ASSERT_TRUE(waitFor([this] { return jobsAreDone(); }));
+    EXPECT_TRUE(waitFor([&] { return attach->isEnabled(); }));
+}
+
 TEST_F(ReferencePanelTest, ADialogThatIsLeftChangesNothing) {
     const auto before = studio_->take().overview();
     drop(outsideFile("optical.bvh"), [](AttachDialog& dialog) { dialog.reject(); });

@@ -111,6 +111,7 @@ ReferencePanel::ReferencePanel(ReviewContext& review, QWidget* parent)
         readFacts();
     });
     connect(&review.take(), &TakeDocument::runsChanged, this, &ReferencePanel::refresh);
+    connect(progress_, &JobProgress::ended, this, &ReferencePanel::refresh);
     readFacts();
 }
 
@@ -165,6 +166,8 @@ QString ReferencePanel::whyNotAttached() const {
     const TakeDocument& take = review_.take();
     if (!take.isOpen())
         return tr("Open a take first.");
+    if (progress_->isRunning())
+        return tr("A motion is being attached.");
     return take.subject() > 0 ? tr("A reference is attached to %1, the first performer of the take.")
                                     .arg(performerName(take, 0))
                               : QString();
@@ -181,6 +184,8 @@ void ReferencePanel::chooseFile() {
 }
 
 void ReferencePanel::ask(const QString& path) {
+    if (!whyNotAttached().isEmpty())
+        return;
     AttachDialog dialog(*review_.take().overview(), path, window());
     if (dialog.exec() == QDialog::Accepted)
         attach(dialog.choice());
@@ -200,8 +205,8 @@ void ReferencePanel::attach(const AttachChoice& choice) {
          kept = session.keepInPlace(take_path)](Result<Attached> attached) -> QString {
             if (!attached)
                 return {};
-            if (self && attached->change.before && attached->change.after &&
-                folder == folderOf(self->review_.shared().session()))
+            const bool can_be_undone = attached->change.before && attached->change.after;
+            if (self && can_be_undone && folder == folderOf(self->review_.shared().session()))
                 self->review_.changes().pushWritten(what, take_path, attached->change);
             if (self && self->review_.take().path() == take_path)
                 self->review_.take().reload(false);
@@ -210,13 +215,16 @@ void ReferencePanel::attach(const AttachChoice& choice) {
                                      countText(attached->summary.rows));
             for (const std::string& warning : attached->warnings)
                 words += " " + coreWords(warning);
+            if (!can_be_undone)
+                words += " " + tr("This cannot be undone.");
             return words;
         });
     progress_->follow(job);
+    refresh();
 }
 
 void ReferencePanel::dragEnterEvent(QDragEnterEvent* event) {
-    if (review_.take().isOpen() && !motionFile(*event->mimeData()).isEmpty())
+    if (whyNotAttached().isEmpty() && !motionFile(*event->mimeData()).isEmpty())
         event->acceptProposedAction();
 }
 
