@@ -127,11 +127,7 @@ QString jointName(const std::string& joint, NameCase name_case) {
 }
 
 QString boardName(const Board& board, NameCase name_case) {
-    return segmentName(board.segment, name_case);
-}
-
-QString anchorName(const Board& board) {
-    return nameFrom({}, board.id, NameCase::kTitle);
+    return board.segment.empty() ? nameFrom({}, board.id, name_case) : segmentName(board.segment, name_case);
 }
 
 QString boardTitle(const Suit& suit, int board) {

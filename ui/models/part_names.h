@@ -23,10 +23,8 @@ QString segmentName(const std::string& segment, NameCase name_case = NameCase::k
 /// The angle between a segment and the one before it: "LeftLeg" -> "Left knee".
 QString jointName(const std::string& joint, NameCase name_case = NameCase::kTitle);
 
-/// "Left shin"
+/// "Left shin"; of one that hangs in the room "ceiling 1".
 QString boardName(const Board& board, NameCase name_case = NameCase::kTitle);
-/// Of one that hangs in the room: "ceiling 1".
-QString anchorName(const Board& board);
 /// "Left shin (board 14)"
 QString boardTitle(const Suit& suit, int board);
 /// "board 14 (left shin)", within a sentence.

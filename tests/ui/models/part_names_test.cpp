@@ -39,7 +39,18 @@ TEST(PartNames, UnknownNamesAreShownAsTheyAre) {
     Board tail;
     tail.segment = "Tail_Base";
     EXPECT_EQ(boardName(tail), "Tail Base");
-    EXPECT_EQ(boardName(Board{}), "Room");
+    EXPECT_EQ(segmentName(""), "Room");
+}
+
+TEST(PartNames, AnchorsOfTheRoomAreToldApart) {
+    Suit room;
+    room.boards.resize(2);
+    room.boards[0].id = "ceiling_1";
+    room.boards[1].id = "ceiling_2";
+    EXPECT_EQ(boardName(room.boards[0]), "ceiling 1");
+    EXPECT_EQ(boardTitle(room, 1), "ceiling 2 (board 2)");
+    EXPECT_EQ(boardInside(room, 1), "board 2 (ceiling 2)");
+    EXPECT_EQ(partNames(room).at("ceiling_2"), "ceiling 2");
 }
 
 TEST(PartNames, GroupsHoldEveryBoardOnce) {

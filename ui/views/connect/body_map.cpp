@@ -44,11 +44,6 @@ void BodyMap::setBody(const std::shared_ptr<const SkinnedMesh>& mesh) {
     update();
 }
 
-QString BodyMap::nameOf(int board) const {
-    const Board& named = suit_.boards[static_cast<size_t>(board)];
-    return room_ ? anchorName(named) : boardName(named);
-}
-
 QPointF BodyMap::placeOf(const Place& place) const {
     const auto index = static_cast<size_t>(place.index);
     if (room_)
@@ -68,9 +63,7 @@ double BodyMap::half_width_m() const {
 
 void BodyMap::addMarkers() {
     for (int i = 0; i < boardCount(); ++i) {
-        const QString title = room_ ? tr("%1 (board %2)", "ceiling 1 (board 3)").arg(nameOf(i)).arg(i + 1)
-                                    : boardTitle(suit_, i);
-        auto* marker = new MapMarker(MapMarker::Shape::kBoard, i + 1, title, this);
+        auto* marker = new MapMarker(MapMarker::Shape::kBoard, i + 1, boardTitle(suit_, i), this);
         connect(marker, &QAbstractButton::clicked, this, [this, i] { emit boardClicked(i); });
         places_.push_back({marker, {}, true, i});
     }

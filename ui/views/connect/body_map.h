@@ -70,7 +70,6 @@ private:
         QPointF at_px{};
         double label_y = 0;  ///< centre of its label, in pixels
     };
-    QString nameOf(int board) const;
     QPointF placeOf(const Place& place) const;
     double scale(int height_px) const;
     double half_width_m() const;

@@ -104,7 +104,8 @@ void BodyMap::paintLabel(QPainter& painter, const Place& place) const {
     const int top = static_cast<int>(place.label_y) - block / 2;
     painter.setFont(name);
     painter.setPen(quiet ? tokens.t1 : colorOf(tone));
-    painter.drawText(QRect(left, top, label_width, name_height), alignment, nameOf(place.index));
+    painter.drawText(QRect(left, top, label_width, name_height), alignment,
+                     boardName(suit_.boards[static_cast<size_t>(place.index)]));
     painter.setFont(detail);
     painter.setPen(quiet ? tokens.t3 : colorOf(tone));
     painter.drawText(QRect(left, top + name_height, label_width, detail_height), alignment, words);
