@@ -62,6 +62,7 @@ StatusLine::StatusLine(Studio& studio, QWidget* parent) : QWidget(parent), studi
     connect(&studio_, &Studio::said, this, &StatusLine::say);
     studio_.suits().follow(&LiveSuit::phaseChanged, this, &StatusLine::showOpen);
     studio_.suits().follow(&SuitCheck::changed, this, &StatusLine::showOpen);
+    studio_.suits().follow(&SuitCheck::changed, this, &StatusLine::showStorage);
     connect(&Theme::get(), &Theme::changed, this, &StatusLine::showOpen);
     said_timer_.setSingleShot(true);
     connect(&said_timer_, &QTimer::timeout, this, [this] {

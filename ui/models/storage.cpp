@@ -37,11 +37,15 @@ StorageWatch::StorageWatch(Jobs& jobs, std::function<QString()> folder, QObject*
 
 void StorageWatch::look() {
     const QString folder = folder_();
-    jobs_.start<qint64>(
+    // A folder that hangs on a network is asked once, not every 20 seconds.
+    if (looking_ && looking_->state() == Job::State::kRunning && looked_at_ == folder)
+        return;
+    looked_at_ = folder;
+    looking_ = jobs_.start<qint64>(
         tr("Room on %1").arg(folder),
         [folder](const JobContext&) -> Result<qint64> { return freeBytesAt(folder); },
-        [self = QPointer(this)](Result<qint64> free_bytes) -> QString {
-            if (self && free_bytes) {
+        [self = QPointer(this), folder](Result<qint64> free_bytes) -> QString {
+            if (self && free_bytes && self->looked_at_ == folder) {
                 self->free_bytes_ = *free_bytes;
                 emit self->changed();
             }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QObject>
+#include <QPointer>
 #include <QTimer>
 #include <functional>
 
@@ -36,6 +37,8 @@ private:
     Jobs& jobs_;
     const std::function<QString()> folder_;
     qint64 free_bytes_ = -1;
+    QPointer<Job> looking_;
+    QString looked_at_;  ///< the folder of the last job
     QTimer timer_;
 };
 
