@@ -2,7 +2,6 @@
 #include "ui/main_window/session_notices.h"
 
 #include <QDir>
-#include <QTimer>
 
 #include "ui/views/session/recovery_words.h"
 
@@ -24,6 +23,8 @@ SessionNotices::SessionNotices(Studio& studio, Notices& notices, QObject* parent
     connect(&studio.session(), &SessionModel::takeTrashed, this, &SessionNotices::tellTrashed);
     connect(&studio.session(), &SessionModel::takeMoved, this,
             [this](const QString& outcome) { offerUndo(outcome, {}); });
+    gone_timer_.setSingleShot(true);
+    connect(&gone_timer_, &QTimer::timeout, this, [this] { notices_.remove(kGone); });
     // Any further step makes Undo mean something else.
     connect(&studio.session().undoStack(), &QUndoStack::indexChanged, this,
             [this] { notices_.remove(kGone); });
@@ -36,7 +37,7 @@ void SessionNotices::tellTrashed(const QString& name) {
 void SessionNotices::offerUndo(const QString& title, const QString& text) {
     notices_.add(
         {Tone::kNeutral, title, text, tr("Undo"), [this] { studio_.session().undoStack().undo(); }, kGone});
-    QTimer::singleShot(kGoneShown_ms, this, [this] { notices_.remove(kGone); });
+    gone_timer_.start(kGoneShown_ms);
 }
 
 void SessionNotices::forget() {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QObject>
+#include <QTimer>
 
 #include "ui/main_window/notices.h"
 #include "ui/models/studio.h"
@@ -30,6 +31,7 @@ private:
 
     Studio& studio_;
     Notices& notices_;
+    QTimer gone_timer_;    ///< of the last Undo that was offered
     bool in_use_ = false;  ///< somewhere else: what is being recorded there is not interrupted
     QStringList told_{};   ///< takes that the notice was about: a closed one stays closed
 };

@@ -2,6 +2,7 @@
 #include "ui/views/record/record_center.h"
 
 #include <QVBoxLayout>
+#include <utility>
 
 #include "ui/scene/scene_view.h"
 #include "ui/style/theme.h"
@@ -90,9 +91,17 @@ void RecordCenter::showTake() {
     showTime();
     if (refusal_ && run_.state() != RecordRun::State::kRefused)
         closeRefusal();
-    else if (refusal_ &&
-             (refusal_->title() != run_.obstacle().title || refused_text_ != run_.obstacle().text))
-        showRefusal();
+    else if (refusal_)
+        followObstacle();
+}
+
+/// While only a number in the text changes, the buttons stay where the pointer is.
+void RecordCenter::followObstacle() {
+    const RecordObstacle& obstacle = run_.obstacle();
+    if (refusal_->title() != obstacle.title || offers_record_anyway_ != obstacle.may_record_anyway)
+        return showRefusal();
+    if (std::exchange(refused_text_, obstacle.text) != obstacle.text)
+        refusal_->setTexts(obstacle.title, obstacle.text);
 }
 
 void RecordCenter::showTime() {
@@ -107,6 +116,7 @@ void RecordCenter::showRefusal() {
     if (!obstacle)
         return;
     refused_text_ = obstacle.text;
+    offers_record_anyway_ = obstacle.may_record_anyway;
     refusal_ = new ProblemCard(Tone::kWarn, obstacle.title, obstacle.text);
     if (obstacle.may_record_anyway)
         connect(refusal_->addAction(tr("Record anyway"), "record"), &QPushButton::clicked, this, [this] {

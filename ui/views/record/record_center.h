@@ -39,6 +39,7 @@ private:
     void showTake();
     void showTime();
     void showRefusal();
+    void followObstacle();
     void closeRefusal();
 
     Studio& studio_;
@@ -50,6 +51,7 @@ private:
     QVBoxLayout* column_;
     ProblemCard* refusal_ = nullptr;
     QString refused_text_;  ///< that it tells
+    bool offers_record_anyway_ = false;
 };
 
 }  // namespace noctule::ui
