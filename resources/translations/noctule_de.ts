@@ -2457,11 +2457,6 @@
         <translation>Anker des Raums, von oben</translation>
     </message>
     <message>
-        <source>%1 (board %2)</source>
-        <comment>ceiling 1 (board 3)</comment>
-        <translation>%1 (Platine %2)</translation>
-    </message>
-    <message>
         <source>The room and its anchors, from above</source>
         <translation>Der Raum und seine Anker, von oben</translation>
     </message>
@@ -3232,8 +3227,8 @@
         <translation>Dateiname</translation>
     </message>
     <message>
-        <source>{take} {fps} {performer} {run} {date} are filled in. A name that you type stays until you clear it, whatever it is made for.</source>
-        <translation>{take} {fps} {performer} {run} {date} werden eingesetzt. Ein Name, den Sie eingeben, bleibt, bis Sie ihn löschen, wofür auch immer die Datei gemacht wird.</translation>
+        <source>{take} {fps} {performer} {run} {date} are filled in. A name that you type is kept for all presets until you clear the field.</source>
+        <translation>{take} {fps} {performer} {run} {date} werden eingesetzt. Ein Name, den Sie eingeben, gilt für alle Vorlagen, bis Sie das Feld leeren.</translation>
     </message>
     <message>
         <source>Try first</source>
@@ -4209,8 +4204,8 @@
         <translation>Hand des Roboters, Soll gegen Ist</translation>
     </message>
     <message>
-        <source>%1 late; without that, %2 off</source>
-        <translation>%1 zu spät; ohne das %2 daneben</translation>
+        <source>The hand is %1 late. Without the delay it is off by %2.</source>
+        <translation>Die Hand kommt %1 zu spät. Ohne die Verzögerung weicht sie um %2 ab.</translation>
     </message>
     <message>
         <source>The hand does not move</source>
@@ -7496,6 +7491,14 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
 <context>
     <name>noctule::ui::ReferencePanel</name>
     <message>
+        <source>A motion is being attached.</source>
+        <translation>Eine Bewegung wird angehängt.</translation>
+    </message>
+    <message>
+        <source>This cannot be undone.</source>
+        <translation>Das lässt sich nicht rückgängig machen.</translation>
+    </message>
+    <message>
         <source>Attach</source>
         <translation>Anhängen</translation>
     </message>
@@ -8657,7 +8660,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>It moves only while held</source>
-        <translation>Nur solange bewegt er sich</translation>
+        <translation>Er bewegt sich nur, solange Sie halten</translation>
     </message>
     <message>
         <source>Clutch in</source>
@@ -8779,8 +8782,8 @@ Median; gut: unter %1</translation>
         <translation>Befehle des Roboters werden gelesen</translation>
     </message>
     <message>
-        <source>The take&apos;s person</source>
-        <translation>Die Person der Aufnahme</translation>
+        <source>The performer of the take</source>
+        <translation>Der Darsteller der Aufnahme</translation>
     </message>
     <message>
         <source>The performer</source>
@@ -8959,8 +8962,8 @@ Median; gut: unter %1</translation>
         <translation>ein Gelenk dreht höchstens %1 je Sekunde</translation>
     </message>
     <message>
-        <source>The robot’s arm is %1 long. Your hand counts from your chest, so walking does not move the arm.</source>
-        <translation>Der Arm des Roboters ist %1 lang. Ihre Hand zählt von der Brust aus, Gehen bewegt den Arm also nicht.</translation>
+        <source>The robot’s arm is %1 long. The position of your hand is measured from your chest, so walking does not move the arm.</source>
+        <translation>Der Arm des Roboters ist %1 lang. Die Lage Ihrer Hand wird von der Brust aus gemessen, Gehen bewegt den Arm also nicht.</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -9016,8 +9019,8 @@ Median; gut: unter %1</translation>
         <translation>Roboter wird gesucht</translation>
     </message>
     <message>
-        <source>It has not yet said how its joints stand.</source>
-        <translation>Er hat noch nicht gesagt, wie seine Gelenke stehen.</translation>
+        <source>It has not sent its joint angles yet.</source>
+        <translation>Er hat seine Gelenkwinkel noch nicht gesendet.</translation>
     </message>
     <message>
         <source>Bring your arms to the robot’s posture. The outline shows yours.</source>
@@ -10651,8 +10654,8 @@ Drehen, beide Richtungen x3</translation>
         <translation>Die Orte der Anker werden in %1 geschrieben</translation>
     </message>
     <message>
-        <source>Writing what is attached into %1</source>
-        <translation>Was angehängt ist, wird in %1 geschrieben</translation>
+        <source>Writing the attached motion into %1</source>
+        <translation>Die angehängte Bewegung wird in %1 geschrieben</translation>
     </message>
 </context>
 <context>

@@ -17,8 +17,8 @@ namespace noctule::ui {
 namespace {
 
 constexpr const char* kKey = "language";
-/// Qt's own words: its dialogs, menus and keys, and why a link failed. Debian has them in
-/// qttranslations5-l10n.
+/// Qt's own words: its dialogs, menus and keys, and why a link failed. The package depends on
+/// qttranslations5-l10n, which has them.
 constexpr std::array kOfQt{"qtbase", "qtserialport", "qtwebsockets"};
 
 struct Translators {

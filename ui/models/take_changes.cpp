@@ -31,7 +31,7 @@ QString titleOf(const TakeChange& change, const QString& take) {
     if (std::holds_alternative<RoomChange>(change))
         return TakeChanges::tr("Writing the places of anchors into %1").arg(take);
     return std::holds_alternative<AttachedChange>(change)
-               ? TakeChanges::tr("Writing what is attached into %1").arg(take)
+               ? TakeChanges::tr("Writing the attached motion into %1").arg(take)
                : TakeChanges::tr("Writing contacts into %1").arg(take);
 }
 

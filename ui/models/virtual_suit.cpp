@@ -73,7 +73,8 @@ Result<SampleOfSuit> sampleAt(const std::filesystem::path& path, const VirtualSu
     return readSample(path.string(), role);
 }
 
-/// Other names than before takes were made to be played again and again.
+/// Files named sample-... or pair-... are from versions whose takes jumped at the loop; other names make the
+/// program write them anew.
 QString fileName(const std::string& software, VirtualSuit::Role role) {
     QString name = QString::fromStdString(software);
     for (QChar& letter : name)

@@ -32,7 +32,7 @@ HandPathsView::HandPathsView(QWidget* parent) : QWidget(parent) {
 
 void HandPathsView::show(RobotDrive::HandPaths paths) {
     paths_ = std::move(paths);
-    setAccessibleDescription(paths_.tracking ? tr("%1 late; without that, %2 off")
+    setAccessibleDescription(paths_.tracking ? tr("The hand is %1 late. Without the delay it is off by %2.")
                                                    .arg(secondsText(paths_.tracking->delay_s, 2),
                                                         millimetresText(paths_.tracking->rest_rms_m))
                                              : tr("The hand does not move"));

@@ -163,7 +163,7 @@ void RobotDrive::begin() {
     const Actor& worn = studio_.suit().actor();
     const Actor actor = worn.skeleton.joints().empty() ? defaultActor() : worn;
     const Skeleton& skeleton = has_motion ? motion->skeleton : actor.skeleton;
-    const QString where = of_take ? tr("The take's person") : tr("The performer");
+    const QString where = of_take ? tr("The performer of the take") : tr("The performer");
     const auto performer = robot::PerformerArms::make(skeleton, where.toStdString());
     trouble_is_leaders_ = !performer;
     if (!performer)

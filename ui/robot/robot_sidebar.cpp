@@ -243,8 +243,8 @@ void RobotSidebar::showLeader() {
     const QString lack = drive_.whyNoLeader();
     QString lengths;
     for (size_t i = 0; parts && i < parts->driven.arms.size() && i < 1; ++i)
-        lengths = tr("The robot’s arm is %1 long. Your hand counts from your chest, so walking does not move "
-                     "the arm.")
+        lengths = tr("The robot’s arm is %1 long. The position of your hand is measured from your chest, so "
+                     "walking does not move the arm.")
                       .arg(metresText(parts->driven.arms[i].length_m));
     lengths_->setInk(lack.isEmpty() ? Ink::kLabel : Ink::kWarn);
     lengths_->setText(lack.isEmpty() ? lengths : lack);

@@ -78,7 +78,7 @@ void RobotStatePanel::showState() {
     } else if (drive_.link() == RobotDrive::Link::kConnecting) {
         title = tr("Looking for the robot");
         tone = Tone::kNeutral;
-        text = tr("It has not yet said how its joints stand.");
+        text = tr("It has not sent its joint angles yet.");
     } else {
         switch (drive_.word()) {
             case RobotWord::kNotSynchronised:

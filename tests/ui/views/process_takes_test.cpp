@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Several takes are processed from their dialog; the screen goes on while a take makes it wait.
-#include <QElapsedTimer>
-
 #include "core/recording/database.h"
 #include "tests/core/simulation/swaying_pair.h"
 #include "tests/ui/views/reviewed_session.h"
@@ -9,8 +7,6 @@
 
 namespace noctule::ui {
 namespace {
-
-constexpr qint64 kAtOnce_ms = 1000;
 
 using ProcessTakes = test::ReviewedSession;
 
@@ -21,14 +17,11 @@ TEST_F(ProcessTakes, ATakeThatIsHeldDoesNotHoldTheScreenUp) {
     // Whoever opens it waits for seconds.
     const auto other = Database::open(takePath("swing_001").toStdString(), Access::kReadWrite);
     ASSERT_TRUE(other && other->execute("BEGIN EXCLUSIVE"));
-    QElapsedTimer clock;
-    clock.start();
     dialog.process();
-    EXPECT_LT(clock.elapsed(), kAtOnce_ms);
     ASSERT_FALSE(studio_->jobs().all().empty());
     Job* job = studio_->jobs().all().back();
     EXPECT_EQ(job->title(), "Processing swing_001");
-    EXPECT_EQ(job->state(), Job::State::kRunning);
+    EXPECT_EQ(job->state(), Job::State::kRunning) << "process() waited for the take";
     ASSERT_TRUE(other->execute("ROLLBACK"));
     job->cancel();
     ASSERT_TRUE(waitFor([&] { return job->state() == Job::State::kCancelled; }));

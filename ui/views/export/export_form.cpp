@@ -206,8 +206,8 @@ QWidget* ExportForm::makeWhere() {
     rows->addRow(tr("Folder"), folder_);
     rows->addRow(tr("File name"), name_pattern);
     name_pattern->setToolTip(
-        tr("{take} {fps} {performer} {run} {date} are filled in. A name that you type stays "
-           "until you clear it, whatever it is made for."));
+        tr("{take} {fps} {performer} {run} {date} are filled in. A name that you type is kept "
+           "for all presets until you clear the field."));
     preview_ = rows->addHint({});
     rows->addRow(tr("Try first"), try_one_frame);
     column->addWidget(rows);
