@@ -105,11 +105,14 @@ QWidget* CalibratePage::makeSuits() {
     return of_suit;
 }
 
-/// What was taken of one suit would be lost.
+/// What was taken of one suit would be lost. A check keeps its result by itself.
 QString CalibratePage::whyNotOtherSuit() {
-    const bool has_begun =
-        showsWizard() && wizard_->run()->phase() != WizardRun::Phase::kIntro && !wizard_->run()->isSaved();
-    return has_begun ? tr("Finish or leave this calibration, then choose another suit.") : QString();
+    if (!showsWizard() || wizard_->run()->phase() == WizardRun::Phase::kIntro)
+        return {};
+    const WizardRun& run = *wizard_->run();
+    const bool is_kept =
+        run.phase() == WizardRun::Phase::kResult && (run.isSaved() || run.task() == WizardTask::kCheck);
+    return is_kept ? QString() : tr("Finish or leave this calibration, then choose another suit.");
 }
 
 QWidget* CalibratePage::makeOverview() {

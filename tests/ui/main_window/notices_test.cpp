@@ -102,6 +102,13 @@ TEST_F(NoticesTest, LookingAtAnotherPerformerHidesNothing) {
     EXPECT_TRUE(told().contains("walk_001 ended by itself"));
 }
 
+TEST_F(NoticesTest, TexturesThatAreNotDrawnAreToldWhileTheirMeshIsShown) {
+    emit studio_->shownBody().warned("The textures are not drawn. Install the module.");
+    ASSERT_EQ(told().size(), 1);
+    emit studio_->shownBody().changed();
+    EXPECT_EQ(told(), QStringList());
+}
+
 TEST_F(NoticesTest, AFailedProcessingIsForgottenWithTheNext) {
     openSampleTake();
     emit studio_->failed("The take could not be processed", "Free some room", About::kProcess);
