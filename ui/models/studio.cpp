@@ -135,17 +135,22 @@ ProcessRequest Studio::accurateRequest(const std::string& take_path, const Parts
 }
 
 Job* Studio::process(const ProcessRequest& request) {
+    emit settled(About::kProcess);
     return startProcessing(request.take_path, [request](const JobContext&) { return request; });
 }
 
 Job* Studio::processAccurately(const std::string& take_path, const PartsOfOne& own) {
+    emit settled(About::kProcess);
+    return startAccurately(take_path, own);
+}
+
+Job* Studio::startAccurately(const std::string& take_path, const PartsOfOne& own) {
     return startProcessing(
         take_path, [take_path, own](const JobContext& job) { return accurateRequest(take_path, own, job); });
 }
 
 Job* Studio::startProcessing(const std::string& take_path,
                              std::function<ProcessRequest(const JobContext&)> settings) {
-    emit settled(About::kProcess);
     const QString path = words(take_path);
     const QString take = QFileInfo(path).completeBaseName();
     Job* job = jobs().start<ProcessSummary>(
@@ -181,12 +186,18 @@ Job* Studio::startProcessing(const std::string& take_path,
 }
 
 void Studio::processInTurn(std::vector<std::pair<std::string, PartsOfOne>> takes) {
+    emit settled(About::kProcess);
+    processNext(std::move(takes));
+}
+
+/// What failed with the takes before it is still told.
+void Studio::processNext(std::vector<std::pair<std::string, PartsOfOne>> takes) {
     if (takes.empty())
         return;
     const auto [path, own] = std::move(takes.front());
     takes.erase(takes.begin());
-    connect(processAccurately(path, own), &Job::ended, this,
-            [this, rest = std::move(takes)] { processInTurn(rest); });
+    connect(startAccurately(path, own), &Job::ended, this,
+            [this, rest = std::move(takes)] { processNext(rest); });
 }
 
 }  // namespace noctule::ui

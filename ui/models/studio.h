@@ -44,6 +44,8 @@ public:
     void processInTurn(std::vector<std::pair<std::string, PartsOfOne>> takes);
 
 private:
+    void processNext(std::vector<std::pair<std::string, PartsOfOne>> takes);
+    Job* startAccurately(const std::string& take_path, const PartsOfOne& own);
     Job* startProcessing(const std::string& take_path,
                          std::function<ProcessRequest(const JobContext&)> settings);
 

@@ -143,6 +143,28 @@ TEST_F(StudioTest, ProcessingThatFailsIsTold) {
     EXPECT_FALSE(failed[0][1].toString().isEmpty());
 }
 
+TEST_F(StudioTest, WhatFailedIsStillToldWhenTheNextTakesWereProcessed) {
+    studio_->tryVirtualSuit();
+    ASSERT_TRUE(waitForTake());
+    QStringList told;
+    QObject::connect(studio_.get(), &Studio::failed,
+                     [&](const QString& what, const QString&, About) { told += what; });
+    QObject::connect(studio_.get(), &Studio::settled, [&](About about) {
+        if (about == About::kProcess)
+            told.clear();
+    });
+    const size_t before = studio_->jobs().all().size();
+    studio_->processInTurn(
+        {{(home_ / "nothing.noctule").string(), {}}, {studio_->take().path().toStdString(), {}}});
+    ASSERT_TRUE(
+        waitFor([&] { return studio_->jobs().all().size() >= before + 2 && studio_->jobs().idle(); }));
+    ASSERT_EQ(told.size(), 1);
+    EXPECT_TRUE(told[0].contains("nothing.noctule")) << told[0].toStdString();
+    studio_->processInTurn({{studio_->take().path().toStdString(), {}}});
+    EXPECT_TRUE(told.isEmpty()) << "it is tried anew";
+    EXPECT_TRUE(waitFor([&] { return studio_->jobs().idle(); }));
+}
+
 TEST_F(StudioTest, TwoResultsOfOneTakeAreMadeOneAfterTheOther) {
     studio_->tryVirtualSuit();
     ASSERT_TRUE(waitForTake());
