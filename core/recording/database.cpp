@@ -164,6 +164,16 @@ Result<std::optional<int64_t>> Database::queryInteger(const std::string& sql) co
     return *row ? statement->integer(0) : std::nullopt;
 }
 
+Result<int64_t> Database::changeCounter() const {
+    constexpr sqlite3_int64 kCounterAt = 24;
+    sqlite3_file* file = nullptr;
+    unsigned char bytes[4]{};
+    if (sqlite3_file_control(handle_.get(), "main", SQLITE_FCNTL_FILE_POINTER, &file) != SQLITE_OK || !file ||
+        !file->pMethods || file->pMethods->xRead(file, bytes, sizeof bytes, kCounterAt) != SQLITE_OK)
+        return Error{ErrorKind::kUnreadable, name_ + ": cannot be read", "Check the disk"};
+    return int64_t{bytes[0]} << 24 | bytes[1] << 16 | bytes[2] << 8 | bytes[3];
+}
+
 int64_t Database::lastInsertId() const {
     return sqlite3_last_insert_rowid(handle_.get());
 }

@@ -53,6 +53,9 @@ public:
     /// First column of the first row as a number; absent when there is no row or it is NULL.
     Result<std::optional<int64_t>> queryInteger(const std::string& sql) const;
     int64_t lastInsertId() const;
+    /// Of the file's header (SQLite file format, section 1.3.7): another one after every change that does not
+    /// go through a write-ahead log. Read through the connection: closing a file gives up the locks on it.
+    Result<int64_t> changeCounter() const;
     bool inTransaction() const;
     /// Closes now and says whether that worked; the object is empty afterwards. Statements must be gone.
     Status close();

@@ -4,7 +4,9 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <utility>
 
+#include "core/recording/database.h"
 #include "core/recording/recover_take.h"
 #include "core/recording/take.h"
 #include "core/recording/take_copy.h"
@@ -47,6 +49,26 @@ Status unlistThere(const TakeTransfer& transfer) {
     return saveSession(*there);
 }
 
+/// Another one after each change of the file.
+Result<int64_t> changesOf(const fs::path& take) {
+    // A write that broke off is taken back first, which reading alone cannot do.
+    const bool broke_off = isThere(take.string() + "-journal");
+    const auto file = Database::open(take.string(), broke_off ? Access::kReadWrite : Access::kRead);
+    return file ? file->changeCounter() : Result<int64_t>(file.error());
+}
+
+/// Nothing was written into the take since `changes`, and nothing is being written.
+Status isUnchanged(const fs::path& take, int64_t changes) {
+    const bool is_written = isThere(take.string() + "-journal");
+    const auto now = changesOf(take);
+    if (!now)
+        return now.error();
+    if (is_written || *now != changes)
+        return Error{ErrorKind::kUnusable, take.stem().string() + ": was changed after copying began",
+                     "Move or copy it again"};
+    return Done{};
+}
+
 /// Where moveToTrash() puts it.
 fs::path trashedThere(const TakeTransfer& transfer) {
     return transfer.to / "trash" / fs::path(transfer.take.file).filename();
@@ -84,15 +106,36 @@ Result<TakeTransfer> arrangeTransfer(const Session& from, const std::string& nam
     return transfer;
 }
 
+void followList(const Session& from, TakeTransfer& transfer) {
+    const int index = from.findTake(transfer.original.name);
+    if (index < 0)
+        return;
+    const SessionTake& now = from.takes[static_cast<size_t>(index)];
+    const Performer* performer = from.findPerformer(now.performer);
+    if (performer && (transfer.performer || now.performer != transfer.original.performer))
+        transfer.performer = *performer;
+    const SessionTake arranged = std::exchange(transfer.take, now);
+    transfer.take.name = arranged.name;
+    transfer.take.file = arranged.file;
+    transfer.original = now;
+}
+
 bool canBeRenamed(const Session& from, const TakeTransfer& transfer) {
     const auto here = fileSystemOf(from.takesFolder()), there = fileSystemOf(transfer.to / "takes");
     return here && here == there;
 }
 
 Status copyThere(const Session& from, TakeTransfer& transfer, const JobContext& job) {
-    auto copy = TakeCopy::make(from.pathOf(transfer.original).string(), transfer.path().string(), job);
+    const fs::path here = from.pathOf(transfer.original);
+    const auto changes = changesOf(here);
+    if (!changes)
+        return changes.error();
+    auto copy = TakeCopy::make(here.string(), transfer.path().string(), job);
     if (!copy)
         return copy.error();
+    if (Status unchanged = isUnchanged(here, *changes); !unchanged)
+        return unchanged;
+    transfer.changes = *changes;
     if (Status folded = copy->foldLog(); !folded)
         return folded;
     if (const auto opened = Take::open(copy->path()); !opened)
@@ -111,13 +154,16 @@ Status moveThere(Session& from, const TakeTransfer& transfer) {
     const fs::path here = from.pathOf(transfer.original), there = transfer.path();
     const fs::path source = transfer.is_copied ? trashedThere(transfer) : here;
     const bool is_moved = !transfer.is_copied || !isThere(there);  // else it was copied just before
-    if (is_moved) {
+    if (transfer.is_copied)
+        if (Status unchanged = isUnchanged(here, transfer.changes); !unchanged)
+            return unchanged;
+    if (is_moved)
         if (Status moved = moveTakeFiles(source, there); !moved)
             return moved;
-        if (Status listed = listThere(transfer); !listed) {
+    if (Status listed = listThere(transfer); !listed) {
+        if (is_moved)
             (void)moveTakeFiles(there, source);
-            return listed;
-        }
+        return listed;
     }
     if (transfer.is_copied)
         return trashTake(from, transfer.original.name);

@@ -16,6 +16,7 @@ struct TakeTransfer {
     SessionTake take;                      ///< as it will be listed there, perhaps under another name
     std::optional<Performer> performer{};  ///< who comes with it, because nobody there is called so
     bool is_copied = false;                ///< its file stands there already
+    int64_t changes = 0;                   ///< of the original's file, when it was copied
 
     std::filesystem::path path() const { return to / take.file; }
 };
@@ -24,12 +25,16 @@ struct TakeTransfer {
 /// take is being recorded or when it is not there.
 Result<TakeTransfer> arrangeTransfer(const Session& from, const std::string& name,
                                      const std::filesystem::path& to);
+/// Takes over what the list has said of the take since: rating, notes, range and performer.
+void followList(const Session& from, TakeTransfer& transfer);
 /// Both folders lie in one file system.
 bool canBeRenamed(const Session& from, const TakeTransfer& transfer);
 /// Copies the file aside, syncs and names it, and lists it there. Cancelled or failed, nothing is left.
+/// kUnusable when somebody wrote into the take meanwhile.
 Status copyThere(const Session& from, TakeTransfer& transfer, const JobContext& job);
 
-/// Moves it, quickly: what must be copied was copied before. On an error it is listed here as before.
+/// Moves it, quickly: what must be copied was copied before. On an error it is listed here as before;
+/// kUnusable when the take was changed since it was copied.
 Status moveThere(Session& from, const TakeTransfer& transfer);
 /// The way back; moveThere() may follow again.
 Status moveBack(Session& from, const TakeTransfer& transfer);

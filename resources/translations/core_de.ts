@@ -8391,6 +8391,10 @@
         <translation>%1: diesen Ordner gibt es nicht</translation>
     </message>
     <message>
+        <source>%1: was changed after copying began</source>
+        <translation>%1: wurde geändert, nachdem das Kopieren begonnen hatte</translation>
+    </message>
+    <message>
         <source>. Its %1 takes are safe</source>
         <translation>. Ihre %1 Aufnahmen sind sicher</translation>
     </message>
@@ -8417,6 +8421,10 @@
     <message>
         <source>Looking at takes</source>
         <translation>Aufnahmen werden angesehen</translation>
+    </message>
+    <message>
+        <source>Move or copy it again</source>
+        <translation>Erneut verschieben oder kopieren</translation>
     </message>
     <message>
         <source>Open it as it is</source>

@@ -9811,6 +9811,14 @@ Median; gut: unter %1</translation>
         <translation>%1 ist wiederhergestellt</translation>
     </message>
     <message>
+        <source>“%1” is open in another window</source>
+        <translation>„%1“ ist in einem anderen Fenster offen</translation>
+    </message>
+    <message>
+        <source>Close it there first</source>
+        <translation>Zuerst dort schließen</translation>
+    </message>
+    <message>
         <source>A job works on %1</source>
         <translation>Ein Auftrag arbeitet an %1</translation>
     </message>

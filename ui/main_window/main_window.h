@@ -9,9 +9,9 @@
 
 #include "ui/main_window/notices.h"
 #include "ui/main_window/window_actions.h"
+#include "ui/models/session_marker.h"
 #include "ui/models/studio.h"
 #include "ui/views/session/recent_sessions.h"
-#include "ui/views/session_marker.h"
 
 class QStackedWidget;
 

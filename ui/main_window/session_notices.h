@@ -7,8 +7,8 @@
 #include <QTimer>
 
 #include "ui/main_window/notices.h"
+#include "ui/models/session_marker.h"
 #include "ui/models/studio.h"
-#include "ui/views/session_marker.h"
 
 namespace noctule::ui {
 

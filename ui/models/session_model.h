@@ -82,6 +82,8 @@ public:
     /// To the session in another folder, with all that belongs to the take; a job, then for a move a step
     /// that can be undone. Where the name is taken, both takes are kept.
     enum class Transfer { kMove, kCopy };
+    /// No session in the folder: the folder's name.
+    static QString nameOfSession(const QString& folder);
     void transferTake(int take, const QString& folder, Transfer how);
 
     // Not undone: files come, nothing goes.
@@ -134,7 +136,7 @@ private:
     void noteChange();
     void followCurrentTake();
     void tell(const QString& what_failed, const Error& error);
-    QString pushMove(const TakeTransfer& transfer);
+    QString pushMove(TakeTransfer transfer);
     static QString failureText(const QString& what_failed, const Error& error);
     Status mayMove(const std::string& take) const;
     Status moveTake(Session& session, const std::string& from, const std::string& to);

@@ -4,6 +4,7 @@
 
 #include "core/session/take_transfer.h"
 #include "ui/language/core_words.h"
+#include "ui/models/session_marker.h"
 #include "ui/models/session_model.h"
 
 namespace noctule::ui {
@@ -13,9 +14,23 @@ QString shownAs(const std::string& text) {
     return QString::fromStdString(text);
 }
 
+/// Another window saves from memory: what came from here would be lost from its list.
+Status mayWriteInto(const std::filesystem::path& folder) {
+    const QString path = shownAs(folder.string());
+    if (!SessionMarker::isOpenElsewhere(path))
+        return Done{};
+    return Error{ErrorKind::kUsage,
+                 SessionModel::tr("“%1” is open in another window")
+                     .arg(SessionModel::nameOfSession(path))
+                     .toStdString(),
+                 SessionModel::tr("Close it there first").toStdString()};
+}
+
 /// Arranged, and where only a copy can go there, copied.
 Result<TakeTransfer> prepared(const Session& from, const std::string& name, const std::filesystem::path& to,
                               SessionModel::Transfer how, const JobContext& job) {
+    if (Status may = mayWriteInto(to); !may)
+        return may.error();
     auto transfer = arrangeTransfer(from, name, to);
     if (!transfer || (how == SessionModel::Transfer::kMove && canBeRenamed(from, *transfer)))
         return transfer;
@@ -42,20 +57,26 @@ QString leftOf(const TakeTransfer& transfer) {
 
 }  // namespace
 
+QString SessionModel::nameOfSession(const QString& folder) {
+    const auto session = readSession(folder.toStdString());
+    return session && !session->name.empty() ? shownAs(session->name) : QDir(folder).dirName();
+}
+
 void SessionModel::transferTake(int take, const QString& folder, Transfer how) {
     if (!session_ || take < 0 || take >= static_cast<int>(session_->takes.size()))
         return;
     emit triedAnew();
     const std::string name = session_->takes[static_cast<size_t>(take)].name;
     const bool moves = how == Transfer::kMove;
-    if (const Status may = moves ? mayMove(name) : Status(Done{}); !may) {
+    // A job may write into it, so a copy would be torn.
+    if (const Status may = mayMove(name); !may) {
         emit failed(coreWords(may.error()));
         return;
     }
     // Held by one only, so that it ends before the take itself moves.
     const auto kept = std::make_shared<std::shared_ptr<void>>(keepInPlace(takePath(take)));
     jobs_.start<TakeTransfer>(
-        (moves ? tr("Moving %1 to %2") : tr("Copying %1 to %2")).arg(shownAs(name), QDir(folder).dirName()),
+        (moves ? tr("Moving %1 to %2") : tr("Copying %1 to %2")).arg(shownAs(name), nameOfSession(folder)),
         [from = *session_, name, to = std::filesystem::path(QDir::cleanPath(folder).toStdString()),
          how](const JobContext& job) { return prepared(from, name, to, how, job); },
         [model = QPointer(this), name, moves, home = session_->folder,
@@ -80,15 +101,22 @@ void SessionModel::transferTake(int take, const QString& folder, Transfer how) {
         });
 }
 
-QString SessionModel::pushMove(const TakeTransfer& transfer) {
+/// `transfer` was arranged some time ago: its take may have been rated meanwhile.
+QString SessionModel::pushMove(TakeTransfer transfer) {
+    followList(*session_, transfer);
     const std::string name = transfer.original.name;
     push(
         tr("Move %1 to “%2”").arg(shownAs(name), shownAs(transfer.to_name)),
         [this, transfer, name](Session& session) {
-            const Status may = mayMove(name);
+            Status may = mayMove(name);
+            if (may)
+                may = mayWriteInto(transfer.to);
             return may ? moveThere(session, transfer) : may;
         },
-        [transfer](Session& session) { return moveBack(session, transfer); });
+        [transfer](Session& session) {
+            const Status may = mayWriteInto(transfer.to);
+            return may ? moveBack(session, transfer) : may;
+        });
     if (session_->findTake(name) >= 0)  // failed() has said why
         return transfer.is_copied ? leftOf(transfer) : QString();
     const QString outcome = outcomeOf(transfer);

@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "ui/language/core_words.h"
+#include "ui/models/session_marker.h"
 #include "ui/style/theme.h"
-#include "ui/views/session_marker.h"
 #include "ui/views/show_folder.h"
 #include "ui/views/take_delegate.h"
 

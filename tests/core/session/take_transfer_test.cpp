@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/recording/database.h"
 #include "core/session/take_folder.h"
 #include "tests/core/session/session_folder.h"
 
@@ -120,6 +121,60 @@ TEST_F(TakeTransferTest, WhatCannotGoSaysWhy) {
     here_.takes[0].state = TakeState::kRecording;
     EXPECT_NE(arrangeTransfer(here_, "walk_001", other()).error().text().find("Recover it"),
               std::string::npos);
+}
+
+TEST_F(TakeTransferTest, WhatTheListSaysMeanwhileGoesAlong) {
+    for (const bool by_copy : {false, true}) {
+        TakeTransfer transfer = arranged();
+        if (by_copy) {
+            ASSERT_TRUE(copyThere(here_, transfer, {}));
+        }
+        here_.takes[0].rating = by_copy ? 1 : 2;
+        here_.takes[0].notes = "better than it looked";
+        here_.takes[0].out_s = 1.5;
+        followList(here_, transfer);
+        ASSERT_TRUE(moveThere(here_, transfer));
+        const Session there = this->there();
+        ASSERT_EQ(there.takes.size(), 1U);
+        EXPECT_EQ(there.takes[0].rating, by_copy ? 1 : 2);
+        EXPECT_EQ(there.takes[0].notes, "better than it looked");
+        EXPECT_EQ(there.takes[0].out_s, 1.5);
+        ASSERT_TRUE(moveBack(here_, transfer));
+        ASSERT_EQ(here_.takes.size(), 1U);
+        EXPECT_EQ(here_.takes[0].rating, by_copy ? 1 : 2);
+    }
+}
+
+TEST_F(TakeTransferTest, ATakeThatWasChangedAfterItsCopyStays) {
+    TakeTransfer transfer = arranged();
+    ASSERT_TRUE(copyThere(here_, transfer, {}));
+    ASSERT_TRUE(moveThere(here_, transfer));
+    ASSERT_TRUE(moveBack(here_, transfer));
+    addPoseRun(takes() / "walk_001.noctule");  // the copy in the trash there lacks it
+    const std::string bytes = text(takes() / "walk_001.noctule");
+    EXPECT_EQ(moveThere(here_, transfer).error().kind, ErrorKind::kUnusable);
+    EXPECT_EQ(here_.takes.size(), 1U);
+    EXPECT_EQ(text(takes() / "walk_001.noctule"), bytes);
+    EXPECT_TRUE(there().takes.empty());
+
+    TakeTransfer anew = arranged();
+    ASSERT_TRUE(copyThere(here_, anew, {}));
+    addPoseRun(takes() / "walk_001.noctule");
+    EXPECT_EQ(moveThere(here_, anew).error().kind, ErrorKind::kUnusable);
+    EXPECT_EQ(here_.takes.size(), 1U);
+    EXPECT_TRUE(isThere(takes() / "walk_001.noctule"));
+}
+
+/// Somebody is in the midst of writing: pages of before and after would be mixed.
+TEST_F(TakeTransferTest, ATakeThatIsBeingWrittenIsNotCopied) {
+    const auto writer = Database::open((takes() / "walk_001.noctule").string(), Access::kReadWrite);
+    ASSERT_TRUE(writer);
+    ASSERT_TRUE(writer->execute("BEGIN IMMEDIATE; CREATE TABLE x_mine (a)"));
+    TakeTransfer transfer = arranged();
+    EXPECT_EQ(copyThere(here_, transfer, {}).error().kind, ErrorKind::kUnusable);
+    EXPECT_TRUE(fs::is_empty(other() / "takes"));
+    ASSERT_TRUE(writer->execute("ROLLBACK"));
+    EXPECT_TRUE(copyThere(here_, transfer, {}));
 }
 
 /// The list there cannot be written: the take stays, in its file and in the list here.

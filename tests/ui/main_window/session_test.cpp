@@ -10,11 +10,11 @@
 #include "core/session/placement.h"
 #include "core/suit/default_suit.h"
 #include "tests/ui/main_window/studio_fixture.h"
+#include "ui/models/session_marker.h"
 #include "ui/views/session/new_session_dialog.h"
 #include "ui/views/session/recent_sessions.h"
 #include "ui/views/session/session_list.h"
 #include "ui/views/session/start_page.h"
-#include "ui/views/session_marker.h"
 
 namespace noctule::ui {
 namespace {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Takes go to another session as jobs; a move can be undone.
+#include <QFile>
 #include <QSettings>
 #include <QSignalSpy>
+#include <QSysInfo>
 
 #include "tests/core/session/session_folder.h"
 #include "tests/ui/support/wait.h"
@@ -32,6 +34,17 @@ protected:
         ASSERT_TRUE(waitFor([this] { return jobs_.idle(); }));
     }
 
+    /// As another window of a program that is always there does.
+    void setOpenElsewhere(bool open) {
+        QFile marker(QString::fromStdString((other() / "session.lock").string()));
+        if (!open) {
+            ASSERT_TRUE(marker.remove());
+            return;
+        }
+        ASSERT_TRUE(marker.open(QIODevice::WriteOnly));
+        marker.write(QStringLiteral("1\nnoctule\n%1\n").arg(QSysInfo::machineHostName()).toUtf8());
+    }
+
     Jobs jobs_;
     SessionModel model_{jobs_, [this] { return QString::fromStdString(home_.string()); }};
 };
@@ -54,6 +67,45 @@ TEST_F(SessionTransfersTest, AMoveIsAStepThatCanBeUndone) {
     EXPECT_FALSE(isThere(takes() / "walk_001.noctule"));
 }
 
+TEST_F(SessionTransfersTest, ARatingGivenMeanwhileGoesAlong) {
+    model_.transferTake(0, QString::fromStdString(other().string()), Transfer::kMove);
+    EXPECT_EQ(jobs_.all().back()->title(), "Moving walk_001 to Other stage");
+    model_.rate(0, 5);
+    ASSERT_TRUE(waitFor([this] { return jobs_.idle(); }));
+    ASSERT_EQ(there().takes.size(), 1U);
+    EXPECT_EQ(there().takes[0].rating, 5);
+    model_.undoStack().undo();
+    EXPECT_EQ(model_.session().takes.at(0).rating, 5);
+}
+
+TEST_F(SessionTransfersTest, ASessionOpenInAnotherWindowIsNotWritten) {
+    QSignalSpy failed(&model_, &SessionModel::failed);
+    setOpenElsewhere(true);
+    transfer(Transfer::kMove);
+    transfer(Transfer::kCopy);
+    ASSERT_EQ(failed.count(), 2);
+    EXPECT_TRUE(failed[0][0].toString().contains("“Other stage” is open in another window"))
+        << failed[0][0].toString().toStdString();
+    EXPECT_TRUE(there().takes.empty());
+    setOpenElsewhere(false);
+    transfer(Transfer::kMove);
+    EXPECT_EQ(there().takes.size(), 1U);
+
+    setOpenElsewhere(true);
+    model_.undoStack().undo();
+    EXPECT_EQ(failed.count(), 3);
+    EXPECT_EQ(there().takes.size(), 1U);
+    EXPECT_EQ(model_.session().takes.size(), 1U);
+    setOpenElsewhere(false);
+    model_.undoStack().undo();
+    EXPECT_EQ(model_.session().takes.size(), 2U);
+    setOpenElsewhere(true);
+    model_.undoStack().redo();
+    EXPECT_EQ(failed.count(), 4);
+    EXPECT_EQ(model_.session().takes.size(), 2U);
+    EXPECT_TRUE(there().takes.empty());
+}
+
 TEST_F(SessionTransfersTest, ACopyStaysHereTooAndKeepsBothNames) {
     makeTake(other() / "takes" / "walk_001.noctule");
     const int steps = model_.undoStack().count();
@@ -70,11 +122,14 @@ TEST_F(SessionTransfersTest, ATakeThatAJobWorksOnAndASessionThatIsNoneAreTold) {
     auto kept = model_.keepInPlace(model_.takePath(0));
     transfer(Transfer::kMove);
     EXPECT_EQ(failed.count(), 1);
+    transfer(Transfer::kCopy);
+    EXPECT_EQ(failed.count(), 2) << "the copy would be torn";
+    EXPECT_TRUE(there().takes.empty());
     kept.reset();
     model_.transferTake(0, QString::fromStdString((home_ / "nowhere").string()), Transfer::kMove);
-    ASSERT_TRUE(waitFor([&] { return failed.count() == 2; }));
-    EXPECT_TRUE(failed[1][0].toString().startsWith("walk_001 was not moved"))
-        << failed[1][0].toString().toStdString();
+    ASSERT_TRUE(waitFor([&] { return failed.count() == 3; }));
+    EXPECT_TRUE(failed[2][0].toString().startsWith("walk_001 was not moved"))
+        << failed[2][0].toString().toStdString();
     EXPECT_TRUE(isThere(takes() / "walk_001.noctule"));
     EXPECT_EQ(model_.session().takes.size(), 2U);
 }

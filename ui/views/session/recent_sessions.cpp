@@ -8,7 +8,7 @@
 
 #include "core/session/session.h"
 #include "ui/language/core_words.h"
-#include "ui/views/session_marker.h"
+#include "ui/models/session_marker.h"
 
 namespace noctule::ui {
 namespace {

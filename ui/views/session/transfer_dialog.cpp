@@ -7,10 +7,10 @@
 #include <QFileInfo>
 #include <QListWidget>
 
+#include "ui/models/session_marker.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/views/session/recent_sessions.h"
 #include "ui/views/session/session_commands.h"
-#include "ui/views/session_marker.h"
 #include "ui/widgets/button.h"
 
 namespace noctule::ui {
@@ -47,7 +47,7 @@ TransferDialog::TransferDialog(SharedContext& shared, const QString& take, Sessi
             addSession(sessions_->count(), recent.folder);
     connect(other, &QPushButton::clicked, this, &TransferDialog::askForFolder);
     connect(sessions_, &QListWidget::currentRowChanged, this, &TransferDialog::refresh);
-    connect(sessions_, &QListWidget::itemActivated, this, &TransferDialog::accept);
+    connect(sessions_, &QListWidget::itemDoubleClicked, this, &TransferDialog::accept);
     refresh();
 }
 
@@ -59,7 +59,7 @@ bool TransferDialog::isOpenHere(const QString& folder) const {
 void TransferDialog::addSession(int row, const QString& folder) {
     auto* item = new QListWidgetItem(
         tr("%1   in %2", "name of a session, folder")
-            .arg(QDir(folder).dirName(), QDir::toNativeSeparators(QFileInfo(folder).path())));
+            .arg(SessionModel::nameOfSession(folder), QDir::toNativeSeparators(QFileInfo(folder).path())));
     item->setData(Qt::UserRole, folder);
     item->setToolTip(QDir::toNativeSeparators(folder));
     sessions_->insertItem(row, item);
@@ -76,8 +76,13 @@ QString TransferDialog::choose(const QString& folder) {
     if (!SessionCommands::isSession(folder))
         return tr("%1 is no session. Choose the folder of one; it holds session.json.")
             .arg(QDir::toNativeSeparators(folder));
-    addSession(0, QDir::cleanPath(folder));
-    sessions_->setCurrentRow(0);
+    int row = 0;
+    while (row < sessions_->count() &&
+           QDir(sessions_->item(row)->data(Qt::UserRole).toString()) != QDir(folder))
+        ++row;
+    if (row == sessions_->count())
+        addSession(row = 0, QDir::cleanPath(folder));
+    sessions_->setCurrentRow(row);
     return {};
 }
 
@@ -100,7 +105,8 @@ void TransferDialog::accept() {
     if (folder().isEmpty())
         return;
     if (SessionMarker::isOpenElsewhere(folder())) {
-        setProblem(tr("“%1” is open in another window. Close it there first.").arg(QDir(folder()).dirName()));
+        setProblem(tr("“%1” is open in another window. Close it there first.")
+                       .arg(SessionModel::nameOfSession(folder())));
         fitHeight();
         return;
     }

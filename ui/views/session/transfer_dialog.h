@@ -17,7 +17,7 @@ public:
 
     /// Of the chosen session; empty: none.
     QString folder() const;
-    /// Puts a session at the top of the list and chooses it. In words why not, else empty.
+    /// Chooses a session; one that is not listed comes to the top of the list. In words why not, else empty.
     QString choose(const QString& folder);
 
 public slots:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/views/session_marker.h"
+#include "ui/models/session_marker.h"
 
 #include <QCoreApplication>
 #include <QDir>
