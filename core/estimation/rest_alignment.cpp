@@ -175,8 +175,9 @@ public:
     }
 
     RestAlignment result;
-    double misfit = 0;                   ///< mean loss per range, of all members
-    std::map<int, double> anchor_off_m;  ///< median residual of each anchor, of the body that it fits worst
+    using AnchorsOff = std::map<int, double>;  ///< median residual of each, of the body that it fits worst
+    double misfit = 0;                         ///< mean loss per range, of all members
+    AnchorsOff anchor_off_m, placed_off_m;     ///< of all bodies, of those that are placed
 
     double worstAnchor_m() const {
         double worst_m = 0;
@@ -184,8 +185,10 @@ public:
             worst_m = std::max(worst_m, off_m);
         return worst_m;
     }
+    /// A body that fits nowhere blames every anchor: where others are placed, they alone are asked.
+    const AnchorsOff& judgedAnchors() const { return placed_off_m.empty() ? anchor_off_m : placed_off_m; }
     std::ptrdiff_t agreeingAnchors() const {
-        return std::ranges::count_if(anchor_off_m,
+        return std::ranges::count_if(judgedAnchors(),
                                      [](const auto& entry) { return entry.second <= kMovedAnchor_m; });
     }
 
@@ -276,6 +279,8 @@ private:
         place.placed = place.rms_m < kWorstFit_m;
         if (!place.placed)
             return;
+        for (auto& [anchor, values] : of_anchor)
+            placed_off_m[anchor] = std::max(placed_off_m[anchor], median(values));
         place.p_m = {u[0], 0, u[1]};
         place.heading_rad = std::remainder(u[2], 2 * std::numbers::pi);
         for (auto& [anchor, values] : of_anchor)
@@ -349,7 +354,7 @@ RestAlignment alignAtRest(const std::vector<RestingMember>& members,
     Aligner all(members, distances, clocks);
     placeAll(all, room, uses_room);
     const std::set<int> anchors = anchorsOf(members[room]);
-    const auto judged = [heard = all.anchor_off_m.size()](Aligner& aligner) {
+    const auto judged = [heard = all.judgedAnchors().size()](Aligner& aligner) {
         aligner.result.room_contradicts =
             heard >= kFewestAgreeing && aligner.agreeingAnchors() < std::ptrdiff_t{kFewestAgreeing};
         return std::move(aligner.result);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "core/math/rotation.h"
@@ -22,7 +23,8 @@ Vector3d placed(const RestPlace& place, const Vector3d& p_m) {
 }
 
 /// What ranges say, exact, of bodies that stand there, when anchors are believed to hang `astray` elsewhere.
-RestAlignment alignmentWith(const std::vector<Vector3d>& astray) {
+/// `echoes`: the second body's ranges are off by up to 0.6 m, each by another amount.
+RestAlignment alignmentWith(const std::vector<Vector3d>& astray, bool echoes = false) {
     RestPlace places[2];
     places[0].p_m = {0, 0, -0.6};
     places[1].p_m = {0, 0, 0.7};
@@ -45,7 +47,8 @@ RestAlignment alignmentWith(const std::vector<Vector3d>& astray) {
                                      kHung[static_cast<size_t>(anchor)];
                 distance.emission_s = 0.2;
                 distance.c_m_per_s = kSound_m_per_s;
-                distance.arrival_s = distance.emission_s + way.norm() / kSound_m_per_s;
+                const double off_m = echoes && body == 1 ? 0.6 * std::sin(1 + 5 * source + 11 * anchor) : 0;
+                distance.arrival_s = distance.emission_s + (way.norm() + off_m) / kSound_m_per_s;
                 distance.sigma_m = 0.0025;
                 distances.push_back(distance);
             }
@@ -63,6 +66,15 @@ TEST(RestAlignment, OneMovedAnchorIsToldFromThree) {
     const RestAlignment found = alignmentWith({Vector3d::Zero(), Vector3d(0.2, 0, -0.3)});
     EXPECT_FALSE(found.room_contradicts);
     EXPECT_EQ(found.moved_anchors, std::vector<int>{1});
+}
+
+/// Its ranges contradict every anchor, those of the other body none.
+TEST(RestAlignment, ABodyThatFitsNowhereDoesNotBlameTheAnchors) {
+    const RestAlignment found = alignmentWith({}, true);
+    EXPECT_TRUE(found.places[0].placed);
+    EXPECT_FALSE(found.places[1].placed);
+    EXPECT_FALSE(found.room_contradicts);
+    EXPECT_TRUE(found.moved_anchors.empty());
 }
 
 /// Two that agree by chance prove nothing: the bodies stand wherever those two say.
