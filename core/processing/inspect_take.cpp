@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "core/job/limits.h"
+#include "core/job/outside_text.h"
+#include "core/job/problems.h"
 #include "core/processing/ingredients.h"
 #include "core/processing/take_quality.h"
 #include "core/report/range_statistics.h"
@@ -13,27 +15,6 @@ namespace noctule {
 namespace {
 
 constexpr int kClipped = 32767;
-
-/// What is wrong with a take, every sentence once.
-class Problems {
-public:
-    void add(const std::string& problem) {
-        if (std::ranges::find(all_, problem) == all_.end())
-            all_.push_back(problem);
-    }
-    /// The value, or nothing and a problem noted.
-    template <class T>
-    std::optional<T> keep(Result<T> result) {
-        if (result)
-            return std::move(*result);
-        add(result.error().text() + ".");
-        return std::nullopt;
-    }
-    const std::vector<std::string>& all() const { return all_; }
-
-private:
-    std::vector<std::string> all_;
-};
 
 /// Looks at the suit that is in view. `who` begins sentences that are true of one suit only; `share` is its
 /// part of the work, from 0 to 1.
@@ -48,11 +29,13 @@ public:
           problems_(problems),
           job_(job) {}
 
-    SuitInspection inspect() {
+    /// Anchors keep still: the readings of a room's boards say nothing of its quality.
+    SuitInspection inspect(bool is_room) {
         readDocuments();
         readRows();
         listen();
-        judgeBoards();
+        if (!is_room)
+            judgeBoards();
         judgePairs();
         return std::move(in_);
     }
@@ -174,7 +157,7 @@ private:
     }
 
     void judgeBoards() {
-        if (const auto run = lastRun("inertial"); run && suit_ && !suit_->isFixed())
+        if (const auto run = lastRun("inertial"); run && suit_)
             in_.board_quality =
                 keep(boardQuality(take_, *suit_, calibration_, *run)).value_or(std::vector<ReportBoard>{});
     }
@@ -257,7 +240,7 @@ void inspectSuits(Take& take, TakeInspection& in, Problems& problems, const JobC
         const auto count = static_cast<double>(suits.size());
         const std::pair share{static_cast<double>(i) / count, static_cast<double>(i + 1) / count};
         static_cast<SuitInspection&>(summary) =
-            SuitInspector(take, in.runs, who + ": ", share, problems, job).inspect();
+            SuitInspector(take, in.runs, who + ": ", share, problems, job).inspect(summary.room);
         if (summary.suit == shown)
             static_cast<SuitInspection&>(in) = summary;
         in.suits.push_back(std::move(summary));
@@ -265,9 +248,11 @@ void inspectSuits(Take& take, TakeInspection& in, Problems& problems, const JobC
     take.view(shown);
     in.header = take.header();
     if (!several)
-        static_cast<SuitInspection&>(in) = SuitInspector(take, in.runs, "", {0, 1}, problems, job).inspect();
-    if (in.reference_frames > 0)
-        in.reference_kind = metaEntry(take, "reference_kind");
+        static_cast<SuitInspection&>(in) =
+            SuitInspector(take, in.runs, "", {0, 1}, problems, job).inspect(false);
+    const auto isFollowed = [](const SuitInspection& suit) { return suit.reference_frames > 0; };
+    if (isFollowed(in) || std::ranges::any_of(in.suits, isFollowed))
+        in.reference_kind = shortText(metaEntry(take, "reference_kind"), limits::kName);
 }
 
 /// Lists that are cut short, and rows that could not be read.
@@ -302,7 +287,7 @@ Result<TakeInspection> inspectTake(const std::string& path, const JobContext& jo
     if (job.cancelled())
         return JobContext::cancelledError();
     nameWhatIsLeftOut(*take, in, problems);
-    in.problems = problems.all();
+    in.problems = std::move(problems).sentences();
     return in;
 }
 

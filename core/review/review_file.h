@@ -4,7 +4,6 @@
 #pragma once
 
 #include <algorithm>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,27 +34,6 @@ struct ReviewFile {
     static Result<ReviewFile> open(const TakeView& view);
     double seconds(double sample) const { return clock.takeTime_s(sample / sample_rate_hz); }
     double sampleAt(double t_s) const { return clock.suitTime_s(t_s) * sample_rate_hz; }
-};
-
-/// Notes errors as sentences, each once.
-class Problems {
-public:
-    /// The value, or nothing and a problem noted.
-    template <class T>
-    std::optional<T> keep(Result<T> result) {
-        if (result)
-            return std::move(*result);
-        add(result.error().text() + ".");
-        return std::nullopt;
-    }
-    void add(const std::string& sentence) {
-        if (std::find(sentences_.begin(), sentences_.end(), sentence) == sentences_.end())
-            sentences_.push_back(sentence);
-    }
-    std::vector<std::string> sentences() && { return std::move(sentences_); }
-
-private:
-    std::vector<std::string> sentences_;
 };
 
 /// Looks at the cancel flag every few thousand rows and tells the progress by the time that was reached.

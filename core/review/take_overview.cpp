@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "core/job/limits.h"
+#include "core/job/outside_text.h"
+#include "core/job/problems.h"
 #include "core/processing/ingredients.h"
 #include "core/review/review_file.h"
 #include "core/review/take_review.h"
@@ -144,7 +147,7 @@ private:
         view_.has_reference = problems_.keep(take_.hasRows("reference")).value_or(false);
         view_.has_external_root = problems_.keep(take_.hasRows("external_root")).value_or(false);
         if (view_.has_reference)
-            view_.reference_kind = meta("reference_kind");
+            view_.reference_kind = shortText(meta("reference_kind"), limits::kName);
     }
 
     const Take& take_;

@@ -117,6 +117,14 @@ TEST_F(TwoSuits, EachSubjectIsProcessedAndEveryRowKept) {
     EXPECT_TRUE(after.problems.empty()) << after.problems.front();
 }
 
+TEST_F(TwoSuits, InspectNamesTheReferenceOfALaterSuitAlone) {
+    runSql(path_, "DELETE FROM reference WHERE suit=1");
+    const auto in = inspectTake(path_, {}).value();
+    EXPECT_EQ(in.reference_frames, 0);
+    EXPECT_EQ(in.suits[1].reference_frames, 350);
+    EXPECT_EQ(in.reference_kind, "simulated");
+}
+
 /// Not only the first suit: parts, calibration, actor and quality of each, the room's too.
 TEST_F(TwoSuits, InspectShowsEverySuit) {
     ASSERT_TRUE(processTake(request(), {}));
@@ -141,6 +149,7 @@ TEST_F(TwoSuits, InspectShowsEverySuit) {
         EXPECT_TRUE(
             std::ranges::any_of(suit.pairs, [](const PairSummary& pair) { return pair.heard_share > 0.2; }));
     }
+    EXPECT_TRUE(in.suits[2].board_quality.empty()) << "anchors do not move";
     const auto json = toJson(in);
     EXPECT_EQ(json["suits"][1]["subject"], "B");
     EXPECT_EQ(json["suits"][2]["board_ids"][0], "anchor1");
