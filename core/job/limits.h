@@ -35,11 +35,12 @@ inline constexpr double kFarthest_m = 100'000;              ///< positions and d
 inline constexpr double kColdest_c = -60, kHottest_c = 90;  ///< air in which a suit is worn, and some more
 
 // Texts, in bytes of UTF-8; longer ones are cut
-inline constexpr size_t kName = 200;           ///< names, ids, labels, kinds, dates; a long sentence
-inline constexpr size_t kShownName = 60;       ///< of it in tables and at plots
-inline constexpr size_t kNote = 64 * 1024;     ///< notes of operators, some pages
-inline constexpr size_t kBoxText = 300;        ///< what a driver box says of itself and its errors
-inline constexpr size_t kListedRows = 10'000;  ///< rows of a table that `inspect --json` lists
+inline constexpr size_t kName = 200;             ///< names, ids, labels, kinds, dates; a long sentence
+inline constexpr size_t kShownName = 60;         ///< of it in tables and at plots
+inline constexpr size_t kNote = 64 * 1024;       ///< notes of operators, some pages
+inline constexpr size_t kMetaValue = 64 * 1024;  ///< what a reference or x_ entry of `meta` says; JSON too
+inline constexpr size_t kBoxText = 300;          ///< what a driver box says of itself and its errors
+inline constexpr size_t kListedRows = 10'000;    ///< rows of a table that `inspect --json` lists
 
 // What a driver box may add to a take
 inline constexpr int kBoxNotes = 100;              ///< notes at once; then one each kBoxNoteEvery_s

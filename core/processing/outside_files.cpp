@@ -8,6 +8,8 @@
 #include "core/formats/number_text.h"
 #include "core/import/markers.h"
 #include "core/job/atomic_file.h"
+#include "core/job/limits.h"
+#include "core/job/outside_text.h"
 #include "core/math/json.h"
 #include "core/motion/common_joints.h"
 #include "core/recording/take.h"
@@ -137,7 +139,7 @@ Result<ReferenceFacts> referenceFacts(const std::string& take_path) {
     ReferenceFacts facts;
     const auto meta = [&](const char* key) {
         const auto found = take->meta().find(key);
-        return found == take->meta().end() ? std::string() : found->second;
+        return found == take->meta().end() ? std::string() : shortText(found->second, limits::kName);
     };
     facts.kind = meta("reference_kind");
     facts.name = meta("reference_name");

@@ -39,6 +39,14 @@ bool isDocument(const std::string& key) {
     return key.starts_with("reference_actor") || key == "reference_joints" || key == "subjects";
 }
 
+/// Most values are names. What came with a reference or from another program is kept whole: it is written
+/// back, and may be JSON.
+size_t longestMeta(const std::string& key) {
+    if (isDocument(key))
+        return limits::kJsonBytes;
+    return key.starts_with("reference_") || key.starts_with("x_") ? limits::kMetaValue : limits::kName;
+}
+
 /// Names a value that metaNumber() would not take.
 void noteRefused(const std::map<std::string, std::string>& meta, SkipLog& log, const char* key, double min,
                  double max) {
@@ -191,7 +199,7 @@ Status Take::loadMeta() {
     const auto entries = collectRows<Entry>(
         *database_, *log_, "meta", sql, [](const Statement& row, Entry& entry) -> RowVerdict {
             entry.first = row.shortened(1, limits::kName);
-            entry.second = row.shortened(2, isDocument(entry.first) ? limits::kJsonBytes : limits::kName);
+            entry.second = row.shortened(2, longestMeta(entry.first));
             return entry.first.empty() || row.isNull(2) ? "key or value is missing" : "";
         });
     if (!entries)

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Out of a take (export, inspect) and into it (attach).
+#include "tests/support/take_files.h"
+
 #include "core/formats/bvh.h"
 #include "core/processing/attached_motion.h"
 #include "core/processing/export_take.h"
@@ -84,6 +86,18 @@ TEST_F(TakeFiles, InspectCountsWhatIsThere) {
     EXPECT_TRUE(toJson(*in).contains("quality"));
 }
 
+/// As imports without names of segments are. Only a room's boards are not judged.
+TEST_F(TakeFiles, InspectJudgesBoardsThatSitOnNoSegment) {
+    runSql(path(),
+           "UPDATE suit SET json=json_set(json,'$.boards[0].segment',NULL,'$.boards[1].segment',NULL,"
+           "'$.sources[0].segment',NULL)");
+    ASSERT_TRUE(Take::open(path())->suit()->isFixed());
+    const auto in = inspectTake(path(), {});
+    ASSERT_TRUE(in) << in.error().text();
+    ASSERT_EQ(in->board_quality.size(), 2u);
+    EXPECT_EQ(in->board_quality[1].frames_lost, 100);
+}
+
 TEST_F(TakeFiles, AttachedRootOfPointsIsTheRoot) {
     PositionTable table;
     for (const char* joint : {"LeftUpLeg", "Hips", "Head", "RightUpLeg", "Spine"})
@@ -166,11 +180,71 @@ TEST_F(TakeFiles, AMotionThatDoesNotMatchIsNotAligned) {
     EXPECT_NE(refused.error().text().find("still.bvh"), std::string::npos);
 }
 
-/// A take that had no reference has none again, nor anything that is said of one.
+void expectSame(const Quaterniond& a, const Quaterniond& b) {
+    EXPECT_EQ(a.coeffs(), b.coeffs());
+}
+
+/// To the bit.
+void expectSame(const AttachedMotion& a, const AttachedMotion& b) {
+    EXPECT_EQ(a.meta, b.meta);
+    ASSERT_EQ(a.reference.size(), b.reference.size());
+    for (size_t i = 0; i < a.reference.size(); ++i) {
+        SCOPED_TRACE(i);
+        EXPECT_EQ(a.reference[i].time_ns, b.reference[i].time_ns);
+        const Pose &one = *a.reference[i].pose, &other = *b.reference[i].pose;
+        EXPECT_EQ(one.p_world_root, other.p_world_root);
+        ASSERT_EQ(one.q_parent_joint.size(), other.q_parent_joint.size());
+        for (size_t joint = 0; joint < one.q_parent_joint.size(); ++joint)
+            expectSame(one.q_parent_joint[joint], other.q_parent_joint[joint]);
+    }
+    ASSERT_EQ(a.external_root.size(), b.external_root.size());
+    for (size_t i = 0; i < a.external_root.size(); ++i) {
+        SCOPED_TRACE(i);
+        EXPECT_EQ(a.external_root[i].time_ns, b.external_root[i].time_ns);
+        EXPECT_EQ(a.external_root[i].p_world_root, b.external_root[i].p_world_root);
+        expectSame(a.external_root[i].q_world_root, b.external_root[i].q_world_root);
+        EXPECT_EQ(a.external_root[i].sigma_p_m, b.external_root[i].sigma_p_m);
+        EXPECT_EQ(a.external_root[i].sigma_q_rad, b.external_root[i].sigma_q_rad);
+    }
+}
+
+/// A take to which nothing was attached has nothing again, nor anything that is said of it.
 TEST_F(TakeFiles, WhatWasAttachedIsTakenOutAndPutBack) {
-    const auto attached = [this] { return attachedMotion(path(), AttachAs::kReference, {}).value(); };
-    const AttachedMotion none = attached();
-    ASSERT_FALSE(none.isThere());
+    ExportRequest out;
+    out.take_path = path();
+    out.bvh_path = file("optical.bvh");
+    ASSERT_TRUE(exportTake(out, {}));
+    for (const AttachAs as : {AttachAs::kReference, AttachAs::kExternalRoot}) {
+        SCOPED_TRACE(as == AttachAs::kReference ? "reference" : "external root");
+        const auto attached = [&] { return attachedMotion(path(), as, {}).value(); };
+        const AttachedMotion none = attached();
+        ASSERT_FALSE(none.isThere());
+        AttachRequest request;
+        request.take_path = path();
+        request.as = as;
+        request.source_name = out.bvh_path;
+        request.motion = toClip(readBvh(out.bvh_path).value(), BvhUnit::kCentimetre).value();
+        request.shift_s = 0;
+        ASSERT_TRUE(attachReference(request, {}));
+        const AttachedMotion some = attached();
+        ASSERT_TRUE(some.isThere());
+        EXPECT_EQ(some.meta.contains("reference_kind"), as == AttachAs::kReference);
+
+        ASSERT_TRUE(putBackAttached(path(), none, {}));
+        EXPECT_FALSE(attached().isThere());
+        expectSame(attached(), none);
+        ASSERT_TRUE(putBackAttached(path(), some, {}));
+        expectSame(attached(), some);
+        ASSERT_TRUE(putBackAttached(path(), none, {}));
+    }
+}
+
+/// File systems allow names of 255 bytes.
+TEST_F(TakeFiles, ALongNameOfAReferenceComesBackWhole) {
+    addReference(0);
+    const std::string name = std::string(206, 'n') + ".bvh";
+    runSql(path(), "INSERT INTO meta VALUES('reference_name','" + name + "')");
+    const AttachedMotion before = attachedMotion(path(), AttachAs::kReference, {}).value();
     ExportRequest out;
     out.take_path = path();
     out.bvh_path = file("optical.bvh");
@@ -180,18 +254,11 @@ TEST_F(TakeFiles, WhatWasAttachedIsTakenOutAndPutBack) {
     request.source_name = out.bvh_path;
     request.motion = toClip(readBvh(out.bvh_path).value(), BvhUnit::kCentimetre).value();
     request.shift_s = 0;
+    request.overwrite = true;
     ASSERT_TRUE(attachReference(request, {}));
-    const AttachedMotion some = attached();
-    ASSERT_TRUE(some.isThere());
-    EXPECT_EQ(some.meta.at("reference_kind"), "optical");
-
-    ASSERT_TRUE(putBackAttached(path(), none, {}));
-    EXPECT_FALSE(attached().isThere());
-    EXPECT_EQ(attached().meta, none.meta);
-    ASSERT_TRUE(putBackAttached(path(), some, {}));
-    EXPECT_EQ(attached().meta, some.meta);
-    ASSERT_EQ(attached().reference.size(), some.reference.size());
-    EXPECT_EQ(attached().reference[9].pose->p_world_root, some.reference[9].pose->p_world_root);
+    EXPECT_EQ(Take::open(path())->meta().at("reference_name"), "optical.bvh");
+    ASSERT_TRUE(putBackAttached(path(), before, {}));
+    EXPECT_EQ(Take::open(path())->meta().at("reference_name"), name);
 }
 
 }  // namespace

@@ -138,6 +138,20 @@ TEST(HostileTake, NamesOfSuitsAndSubjectsAreCut) {
         << "both are cut alike, so that they are found by each other";
 }
 
+/// They may be JSON, which is nothing when it is cut.
+TEST(HostileTake, EntriesOfOtherProgramsAreKeptWholeAndNamesAreCut) {
+    const Folder folder;
+    const std::string spot = R"({"moments":[)" + std::string(287, '1') + "]}";
+    const auto take = Take::open(hostileTake(
+        folder, "INSERT INTO meta VALUES('x_field_spot','" + spot + "');" +
+                    "INSERT INTO meta VALUES('x_endless',replace(hex(zeroblob(100000)),'0','m'));" +
+                    "INSERT OR REPLACE INTO meta VALUES('performer','" + std::string(300, 'n') + "')"));
+    ASSERT_TRUE(take) << take.error().text();
+    EXPECT_EQ(take->meta().at("x_field_spot"), spot);
+    EXPECT_EQ(take->meta().at("x_endless").size(), limits::kMetaValue);
+    EXPECT_LE(take->meta().at("performer").size(), limits::kName);
+}
+
 TEST(HostileTake, RowsBeyondTheTablesLimitAreCountedNotHeld) {
     const Folder folder;
     const auto take = Take::open(hostileTake(folder,
