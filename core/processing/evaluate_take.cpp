@@ -5,6 +5,8 @@
 #include <cstdio>
 
 #include "core/body/bone_names.h"
+#include "core/job/limits.h"
+#include "core/job/outside_text.h"
 #include "core/math/json.h"
 #include "core/math/rotation.h"
 #include "core/processing/ingredients.h"
@@ -70,6 +72,16 @@ Result<ReportTake> describeTake(const Take& take) {
     return described;
 }
 
+/// From the end of the rest pose, without one from the beginning, to the end; on the clock of the suit, as
+/// `process` counts.
+Result<double> afterRest_s(const Take& take, const ReportTake& described) {
+    const auto rest = take.restInterval();
+    if (!rest)
+        return rest.error();
+    const auto last = static_cast<double>(*rest ? (*rest)->last : 0);
+    return described.duration_s - last / described.sample_rate_hz;
+}
+
 /// Names of a stored reference's joints in its file; none when they are not known.
 std::map<std::string, std::string> storedNames(const Take& take) {
     std::map<std::string, std::string> names;
@@ -100,7 +112,7 @@ Result<Reference> chooseReference(const Take& take, const EvaluateRequest& reque
             return stored.error();
         reference.motion = std::move(*stored);
         if (!reference.motion.frames.empty()) {
-            const std::string kind = metaText(take, "reference_kind");
+            const std::string kind = shortText(metaText(take, "reference_kind"), limits::kName);
             data.take.reference_kind = kind.empty() ? "unnamed" : kind;
             reference.names = storedNames(take);
             reference.options.match_segments = metaText(take, "reference_frames") != "ours";
@@ -185,7 +197,7 @@ void describeProvenance(const Take& take, const Calibration& calibration, const 
                                              {"Sources", std::to_string(calibration.sources.size())}});
     NamedValues simulated;
     for (const auto& [key, words] : {std::pair("x_scenario", "Scenario"), std::pair("x_seed", "Seed")})
-        if (const std::string value = metaText(take, key); !value.empty())
+        if (const std::string value = shortText(metaText(take, key), limits::kName); !value.empty())
             simulated.emplace_back(words, value);
     if (!simulated.empty())
         data.provenance.emplace_back("Simulation", simulated);
@@ -359,8 +371,11 @@ Result<ReportData> evaluateTake(const EvaluateRequest& request, const JobContext
     if (Status added = addQuality(take, *shown, settings, data, job); !added)
         return added.error();
     data.people_apart = settings.people_apart;
-    if (std::string drift = driftWarning(settings.estimator, settings.sensors, settings.root_given,
-                                         data.take.duration_s - data.take.rest_s);
+    const auto after_rest_s = afterRest_s(take, data.take);
+    if (!after_rest_s)
+        return after_rest_s.error();
+    if (std::string drift =
+            driftWarning(settings.estimator, settings.sensors, settings.root_given, *after_rest_s);
         !drift.empty())
         data.warnings.push_back(std::move(drift));
     for (const SkippedRows& skipped : take.skippedRows())

@@ -4,6 +4,7 @@
 #include "core/processing/pose_runs.h"
 #include "core/report/range_statistics.h"
 #include "tests/core/processing/made_take.h"
+#include "tests/support/take_files.h"
 
 namespace noctule::test {
 namespace {
@@ -44,6 +45,26 @@ TEST_F(EvaluateTake, SettingsOfTheRunAreShown) {
     EXPECT_FALSE(data.runs[0].comparison) << "there is no reference";
     ASSERT_EQ(data.warnings.size(), 1u);
     EXPECT_NE(data.warnings[0].find("no reference"), std::string::npos);
+}
+
+/// Of 90 s, whose suit began 40 s after the take, the rest pose takes half a second.
+TEST_F(EvaluateTake, DriftIsCountedOnTheClockOfTheSuit) {
+    addRuns("mine");
+    runSql(path(),
+           "UPDATE derived SET settings='{\"sensors\":\"AGD\",\"estimator\":\"paper\",\"root\":\"free\"}' "
+           "WHERE kind='pose';"
+           "UPDATE suit SET clock_offset_ns=40e9;"
+           "UPDATE meta SET value=90*150000 WHERE key='sample_count'");
+    const auto drift = [this] {
+        std::string said;
+        for (const std::string& warning : evaluate().warnings)
+            if (warning.find("minutes after the rest pose") != std::string::npos)
+                said += warning;
+        return said;
+    };
+    EXPECT_NE(drift().find("1.5 minutes"), std::string::npos) << "without a rest pose: " << drift();
+    runSql(path(), "INSERT INTO marker(sample,kind,label) VALUES(0,'rest','begin'),(75000,'rest','end')");
+    EXPECT_NE(drift().find("1.5 minutes"), std::string::npos) << drift();
 }
 
 TEST_F(EvaluateTake, PulsesHaveTheirFates) {
