@@ -17,8 +17,10 @@ constexpr double kFewestPoses_hz = 25, kMostPoses_hz = 120;
 constexpr int64_t kBridged_ns = 300'000'000;  ///< shorter gaps of one sensor are interpolated
 constexpr double kMakersHeading_rad = 0.1;    ///< attitudes of a maker's method whose heading is not said
 constexpr double kNoNorth_rad = std::numbers::pi;
-constexpr double kHeldRest_rad = 0.1;         ///< how exactly a rest pose is held
-constexpr double kNominalMounting_rad = 0.2;  ///< straps that nothing was measured of
+constexpr double kHeldRest_rad = 0.1;  ///< how exactly a rest pose is held
+/// Boards of which no mounting's sigma is stated. ManifoldParameters::unstated_mounting_rad is smaller: there
+/// a rest pose was evaluated, here the suit's design may be all that is known of the straps.
+constexpr double kNominalMounting_rad = 0.2;
 
 /// One sensor at its own rate.
 struct OwnTrack {
@@ -113,15 +115,12 @@ private:
 
     std::optional<posing::StatedMounting> mountingOf(size_t b) const {
         const BoardCalibration& board = calibration_.boards[b];
-        if (board.q_segment_board)
-            return posing::StatedMounting{
-                *board.q_segment_board,
-                std::hypot(kHeldRest_rad, board.sigma_mounting_rad ? board.sigma_mounting_rad->maxCoeff()
-                                                                   : kNominalMounting_rad)};
-        if (suitStatesMountings())
-            return posing::StatedMounting{in_.suit.boards[b].q_segment_board,
-                                          std::hypot(kHeldRest_rad, kNominalMounting_rad)};
-        return std::nullopt;
+        if (!board.q_segment_board && !suitStatesMountings())
+            return std::nullopt;
+        const double sigma_rad =
+            board.sigma_mounting_rad ? board.sigma_mounting_rad->maxCoeff() : kNominalMounting_rad;
+        return posing::StatedMounting{board.q_segment_board.value_or(in_.suit.boards[b].q_segment_board),
+                                      std::hypot(kHeldRest_rad, sigma_rad)};
     }
 
     Result<OwnTrack> estimated(OwnTrack track, BoardReadings& readings) {
