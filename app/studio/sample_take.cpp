@@ -6,6 +6,7 @@
 
 #include "app/batch/files.h"
 #include "core/formats/bvh.h"
+#include "core/inertial/frame_layout.h"
 #include "core/recording/take_edit.h"
 #include "core/simulation/cast.h"
 #include "core/simulation/simulate.h"
@@ -27,10 +28,13 @@ Result<MotionClip> sampleMotion() {
 
 constexpr double kPairApart_m = 2;
 
-// The virtual suit plays its take again and again. From its second second on it lasts three periods of the
-// boards' streams (6 s), and is at its end as it is then: in the rest pose. The first second is left out of
-// each further round, because streams that begin there cannot be read from others.
-constexpr double kRest_s = 5.2, kTake_s = 19, kLoopsFrom_s = 1;
+// Played in a loop. Rounds after the first start at 1 s and last 18 s, a multiple of the boards' 6 s stream
+// period. Pose at 1 s and at 19 s: rest pose. Frames of the first second cannot be decoded without what
+// precedes them.
+constexpr double kRest_s = 5.2;
+constexpr int kTake_s = 19, kLoopsFrom_s = 1;
+static_assert((kTake_s - kLoopsFrom_s) % kStreamPeriod_s == 0);
+static_assert(kLoopsFrom_s < kRest_s);
 
 Status noteLoop(const std::string& path) {
     auto take = Take::open(path, Access::kReadWrite);

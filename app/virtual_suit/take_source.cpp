@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <numeric>
 
 #include "app/batch/option.h"
 #include "core/formats/number_text.h"
@@ -124,10 +123,9 @@ int64_t loopsFrom(const Take& take, int64_t sample_count, int64_t rate_hz) {
     double from_s = 0;
     if (said == take.meta().end() || !parseFiniteNumber(said->second, from_s))
         return 0;
-    constexpr int64_t kPeriod_s =
-        std::lcm(kCounterPeriod, kInertialFramesPerSecond) / kInertialFramesPerSecond;
     const auto from = static_cast<int64_t>(std::llround(from_s * static_cast<double>(rate_hz)));
-    const bool fits = from > 0 && from < sample_count && (sample_count - from) % (kPeriod_s * rate_hz) == 0;
+    const bool fits =
+        from > 0 && from < sample_count && (sample_count - from) % (kStreamPeriod_s * rate_hz) == 0;
     return fits ? from : 0;
 }
 

@@ -5,8 +5,10 @@
 
 #include <array>
 #include <cstdint>
+#include <numeric>
 
 #include "core/inertial/bit_clock.h"
+#include "core/inertial/reading.h"
 
 namespace noctule {
 
@@ -17,6 +19,10 @@ inline constexpr int kSyncBits = 13, kCounterBits = 7, kPayloadBits = 72;
 inline constexpr int kHeaderBits = kSyncBits + kCounterBits;
 inline constexpr uint32_t kSync = 0b1111100110101;  ///< Barker 13, first bit highest
 inline constexpr int kCounterPeriod = 120;          ///< the frame counter runs 0..119
+
+/// After so long a stream's counters, and so its scrambling, come at the same samples again.
+inline constexpr int kStreamPeriod_s =
+    std::lcm(kCounterPeriod, kInertialFramesPerSecond) / kInertialFramesPerSecond;
 
 constexpr int nextCounter(int counter) {
     return (counter + 1) % kCounterPeriod;
