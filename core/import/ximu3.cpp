@@ -186,9 +186,27 @@ void alignClocks(const std::vector<double>& starts, ImportedRecording& recording
     }
 }
 
-Result<std::map<std::string, Ximu3Device>> devicesIn(const std::vector<ImportFile>& files,
-                                                     const JobContext& job) {
-    std::map<std::string, Ximu3Device> devices;
+using Ximu3Devices = std::map<std::string, Ximu3Device>;
+
+/// Of the same folder; without such a one of the only device there is, as of files named one by one.
+void addCommands(const std::vector<ImportFile>& files, Ximu3Devices& devices,
+                 std::vector<std::string>& warnings) {
+    for (const ImportFile& file : files) {
+        if (!isCommands(file))
+            continue;
+        auto device = devices.find(deviceFolder(file));
+        if (device == devices.end() && devices.size() == 1)
+            device = devices.begin();
+        if (device == devices.end())
+            warnings.push_back(file.path + ": belongs to no device and was left out");
+        else
+            addXimu3Commands(file.bytes, device->second.settings);
+    }
+}
+
+Result<Ximu3Devices> devicesIn(const std::vector<ImportFile>& files, std::vector<std::string>& warnings,
+                               const JobContext& job) {
+    Ximu3Devices devices;
     for (const ImportFile& file : files) {
         if (file.extension() == ".ximu3") {
             auto device = parseXimu3(file.bytes, job);
@@ -200,9 +218,7 @@ Result<std::map<std::string, Ximu3Device>> devicesIn(const std::vector<ImportFil
                 return added.error();
         }
     }
-    for (const ImportFile& file : files)
-        if (isCommands(file) && devices.contains(deviceFolder(file)))
-            addXimu3Commands(file.bytes, devices[deviceFolder(file)].settings);
+    addCommands(files, devices, warnings);
     return devices;
 }
 
@@ -229,10 +245,10 @@ void sayWhatIsStated(const std::string& id, const Ximu3Device& device, const Imp
 
 Result<ImportedRecording> readXimu3(const std::vector<ImportFile>& files, const ImportChoice& choice,
                                     const JobContext& job) {
-    const auto devices = devicesIn(files, job);
+    ImportedRecording recording;
+    const auto devices = devicesIn(files, recording.warnings, job);
     if (!devices)
         return devices.error();
-    ImportedRecording recording;
     const auto first = std::ranges::find_if_not(files, isCommands);
     recording.name = (first == files.end() ? files.front() : *first).stem();
     std::vector<double> starts;
