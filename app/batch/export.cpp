@@ -254,7 +254,8 @@ Result<std::shared_ptr<const WearableBody>> readBody(const VerbContext& context)
         choices.bones = std::move(*bones);
     }
     auto body = readWearable(arguments.text("mesh"), choices, context.job());
-    if (body)
+    const bool is_drawn = arguments.given("png") || arguments.given("video");
+    if (body && is_drawn)
         if (const auto undrawn = undrawnTextures((*body)->mesh, arguments.text("mesh")))
             context.console.warn(undrawn->text() + ".");
     return body;

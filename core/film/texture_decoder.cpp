@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
+#include "core/body/text.h"
 #include "core/media/media_backend.h"
 #include "core/media/picture_file.h"
 
@@ -37,8 +38,8 @@ std::optional<Error> undrawnTextures(const RiggedMesh& mesh, const std::string& 
         return Error{backend.error().kind, where + ": its textures are not drawn: " + backend.error().message,
                      backend.error().remedy};
     return Error{ErrorKind::kUnreadable,
-                 where + ": " + std::to_string(undrawn) + " of " + std::to_string(textures.size()) +
-                     " textures are damaged pictures and are not drawn",
+                 where + ": " + text::plural(undrawn, "texture", "textures") + " of " +
+                     std::to_string(textures.size()) + " cannot be decoded and will not be drawn",
                  "Save them again as PNG or JPEG"};
 }
 

@@ -197,6 +197,14 @@
         <translation>%1 Ruhehaltungen</translation>
     </message>
     <message>
+        <source>%1 texture</source>
+        <translation>%1 Textur</translation>
+    </message>
+    <message>
+        <source>%1 textures</source>
+        <translation>%1 Texturen</translation>
+    </message>
+    <message>
         <source>%1: an offset is not a finite number</source>
         <translation>%1: ein Versatz ist keine endliche Zahl</translation>
     </message>
@@ -1881,8 +1889,8 @@
         <translation>%1 Bilder statt %2</translation>
     </message>
     <message>
-        <source>%1: %2 of %3 textures are damaged pictures and are not drawn</source>
-        <translation>%1: %2 von %3 Texturen sind beschädigte Bilder und werden nicht gezeichnet</translation>
+        <source>%1: %2 of %3 cannot be decoded and will not be drawn</source>
+        <translation>%1: nicht dekodierbar und darum nicht gezeichnet: %2 von %3</translation>
     </message>
     <message>
         <source>%1: cannot be written: No space left on device</source>
@@ -2529,6 +2537,10 @@
     <message>
         <source>%1: accelerations were read as %2 and converted to m/s^2</source>
         <translation>%1: Beschleunigungen wurden als %2 gelesen und in m/s^2 umgerechnet</translation>
+    </message>
+    <message>
+        <source>%1: belongs to no device and was left out</source>
+        <translation>%1: gehört zu keinem Gerät und wurde ausgelassen</translation>
     </message>
     <message>
         <source>%1: device %2 has no inertial messages</source>

@@ -9,6 +9,7 @@
 #include "core/job/atomic_file.h"
 #include "core/media/picture_file.h"
 #include "core/media/video_file.h"
+#include "tests/support/glb_body.h"
 #include "tests/support/program_run.h"
 
 namespace noctule::test {
@@ -116,6 +117,30 @@ TEST_F(RoundTrip, ABodyOfAnotherProgramMovesInFilesPicturesAndFilms) {
                   4, {"figure.glb", "LeftArm", "map of bones"});
     writeBytes(file("box.obj"), "v 0 0 0\nv 1 0 0\nv 0 1.7 0\nf 1 2 3\n");
     expectRefusal({"export", take(), "--mesh", file("box.obj"), "--glb", file("no.glb")}, 4, {"box.obj"});
+}
+
+/// Files carry a texture as it is; only who draws it has to decode it.
+TEST_F(RoundTrip, TexturesThatAreNotDrawnAreSaidWithPicturesAlone) {
+    GlbBody body;
+    const std::string torn = "\x89PNG\r\n\x1a\nand no more";
+    body.json["images"] = {{{"bufferView", body.view(std::vector<uint8_t>(torn.begin(), torn.end()))},
+                            {"mimeType", "image/png"}}};
+    body.json["textures"] = {{{"source", 0}}};
+    body.json["materials"] = {{{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}}};
+    body.primitive()["material"] = 0;
+    const size_t vertices =
+        body.json["accessors"][body.primitive()["attributes"]["POSITION"].get<size_t>()]["count"];
+    body.primitive()["attributes"]["TEXCOORD_0"] =
+        body.accessor(std::vector<float>(2 * vertices, 0.5F), "VEC2");
+    writeBytes(file("torn.glb"), body.glb());
+    const auto exported = [&](const std::string& option, const std::string& to) {
+        return batch(
+            {"export", take(), "--mesh", file("torn.glb"), option, file(to), "--from", "1", "--to", "1.1"});
+    };
+    const Ran file_alone = exported("--glb", "as_it_is.glb"), picture = exported("--png", "drawn.png");
+    EXPECT_EQ(file_alone.exit_code, 0) << file_alone.err;
+    EXPECT_EQ(file_alone.err.find("drawn"), std::string::npos) << file_alone.err;
+    EXPECT_NE(picture.err.find("1 texture of 1 cannot be decoded"), std::string::npos) << picture.err;
 }
 
 TEST_F(RoundTrip, ExportedFilesSayTheSame) {

@@ -27,7 +27,7 @@ TEST(UndrawnTextures, AreSaidWithTheirCauseAndARemedy) {
     EXPECT_EQ(said->message.find("body.glb: "), 0U) << said->message;
     EXPECT_FALSE(said->remedy.empty());
     // A program whose module for pictures is gone names it; else the picture is to blame.
-    const std::string cause = mediaBackend() ? "1 of 1 textures are damaged" : kMediaModule;
+    const std::string cause = mediaBackend() ? "1 texture of 1 cannot be decoded" : kMediaModule;
     EXPECT_NE(said->message.find(cause), std::string::npos) << said->message;
 }
 
