@@ -38,7 +38,7 @@ inline RangeFate rangeFateFromName(std::string_view name) {
     return RangeFate::kNotTried;
 }
 
-/// Not measured, or left to whoever knows the clocks.
+/// NaN: not measured, or to be computed from emission and arrival once both clocks are known.
 inline constexpr double kNoDistance = std::numeric_limits<double>::quiet_NaN();
 
 /// A distance by the phase of the carrier: fine, but only up to whole cycles.

@@ -41,7 +41,7 @@ struct Joining {
     std::optional<Take> measured;          ///< of a take of sound: its readings and ranges
 
     bool joins() const { return !distances.empty(); }
-    /// Two places in the room that sound comes from or is heard at; one alone does not tell how all turn.
+    /// At least two anchors are heard. One alone leaves the heading free.
     bool roomHoldsWorld() const;
     /// Suit of a member.
     int suitOf(size_t member, const std::vector<Ingredients>& subjects) const {

@@ -227,8 +227,7 @@ CalibrationDocument documentOf(const RestPoseReport& report) {
     CalibrationTable boards{
         "Boards",
         "How each sits on its segment. A turn about the vertical cannot be seen in a rest pose: headings "
-        "stay "
-        "as the suit's file has them.",
+        "stay as the suit's file has them.",
         {"board", "leans, °", "sigma, °", "heading, sigma, °", "gyroscope's zero, counts"},
         {}};
     for (const BoardAtRest& board : report.boards)
