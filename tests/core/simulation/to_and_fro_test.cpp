@@ -15,7 +15,8 @@ TEST(ToAndFro, TimeGoesForthAndBackWithoutAJump) {
         for (double t_s = kInstant_s; t_s < 5 * once_s + 10; t_s += 0.0113) {
             const PlayedTime before = toAndFro(t_s - kInstant_s, once_s), now = toAndFro(t_s, once_s),
                              after = toAndFro(t_s + kInstant_s, once_s);
-            EXPECT_NEAR(now.rate, (after.t_s - before.t_s) / (2 * kInstant_s), 1e-4) << once_s << " at " << t_s;
+            EXPECT_NEAR(now.rate, (after.t_s - before.t_s) / (2 * kInstant_s), 1e-4)
+                << once_s << " at " << t_s;
             EXPECT_NEAR(now.acceleration_per_s, (after.rate - before.rate) / (2 * kInstant_s), 1e-2)
                 << once_s << " at " << t_s;
             EXPECT_GE(now.t_s, -1e-9);
