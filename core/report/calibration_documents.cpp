@@ -45,7 +45,8 @@ CalibrationDocument document(const std::string& procedure, const std::string& su
 /// `within` in the unit of `limit`, which is the good one.
 CalibrationNumber number(double within, double limit, int decimals, const std::string& unit,
                          const std::string& what) {
-    return {text::number(within, decimals) + unit, what, "under " + text::number(limit, decimals) + unit,
+    const std::string bound = text::number(limit, decimals) + unit;
+    return {text::number(within, decimals) + unit, what, "under " + bound,
             within <= limit ? Grade::kGood : Grade::kUsable};
 }
 

@@ -7613,8 +7613,8 @@
         <translation>unter %1 µT</translation>
     </message>
     <message>
-        <source>under %1%2</source>
-        <translation>unter %1%2</translation>
+        <source>under %1</source>
+        <translation>unter %1</translation>
     </message>
     <message>
         <source>with outliers</source>

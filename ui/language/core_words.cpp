@@ -48,9 +48,12 @@ QString numbersInWords(const QString& text) {
     static const QRegularExpression number(
         "(?:^|(?<=, |: |; |± |– |\\d |\\())([−+-]?\\d+)\\.(\\d+)"
         "(?=(?: ?[^\\s\\d.,:;()/][^\\s.,:;()]{0,7})?(?:$|[,:;] | [±–(]| [−+-]?\\d|\\)))");
+    static const QRegularExpression time("(?<=\\d:\\d\\d)\\.(?=\\d)");  // 1:05.5
     static const QRegularExpression share("^(\\d+) of (\\d+)$");
+    const QString point(QLocale().decimalPoint());
     return QString(text)
-        .replace(number, "\\1" + QString(QLocale().decimalPoint()) + "\\2")
+        .replace(number, "\\1" + point + "\\2")
+        .replace(time, point)
         .replace(share, "\\1 von \\2");
 }
 

@@ -15,7 +15,7 @@
 namespace noctule::ui {
 PutOnDialog::PutOnDialog(Studio& studio, QWidget* parent) : QDialog(parent) {
     setWindowTitle(tr("Put the suit on"));
-    auto* outer = makeColumn(this, {24, 20, 24, 20}, 12);
+    auto* outer = makeColumn(this, {24, 16, 24, 16}, 12);
     outer->addWidget(new Label(tr("Put the suit on"), TextRole::kPage, Ink::kValue, true));
     auto* columns = addRow(outer, 24);
     auto* drawing = new QWidget;

@@ -19,7 +19,7 @@ namespace {
 constexpr std::array kSpeeds{-1., 0.1, 0.25, 0.5, 1., 2., 4.};
 
 // Widths from which words fit, pixels at 100 percent.
-constexpr double kLeastBarWidth = 540, kWithWords = 650, kWithSpeedLabel = 700, kWithLength = 830;
+constexpr double kLeastBarWidth = 540, kWithWords = 670, kWithSpeedLabel = 700, kWithLength = 830;
 
 QString speedText(double speed) {
     return QCoreApplication::translate("TransportBar", "%1×", "speed of playback")

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kLookUp_rad = radians(-14);  ///< from a little below, so that the lower pole is seen
 constexpr double kManyReadings = 8;
-constexpr int kHead = 34, kFieldFoot = 62, kEdgePoints = 8, kNarrow = 640;
+constexpr int kHead = 34, kFieldFoot = 62, kEdgePoints = 8, kNarrow = 720;
 
 /// In the drawing's axes: x right, y up, z towards the eye.
 Vector3d asSeen(const Vector3d& direction, bool is_behind) {

@@ -101,9 +101,15 @@ void FieldHeights::paintScale(QPainter& painter, const Scale& scale, double top,
     painter.fillRect(QRectF(scale.at(-limit), top, scale.at(limit) - scale.at(-limit), bottom - top),
                      tokens.okbg);
     painter.setFont(theme.font(TextRole::kCaption));
+    const QFontMetrics metrics = painter.fontMetrics();
+    const double beside = scale.at(10) - scale.at(0),
+                 needed = metrics.horizontalAdvance(tr("as usual here")) / 2.0 +
+                          metrics.horizontalAdvance("−10 %") / 2.0 + theme.px(4);
     for (const double tick : {-20.0, -10.0, 0.0, 10.0, 20.0}) {
         painter.setPen(QPen(tick == 0 ? tokens.edge : tokens.line, theme.px(1)));
         painter.drawLine(QPointF(scale.at(tick), top), QPointF(scale.at(tick), bottom));
+        if (std::abs(tick) == 10 && beside < needed)
+            continue;
         painter.setPen(tokens.t3);
         const QString words = tick == 0
                                   ? tr("as usual here")
@@ -136,7 +142,11 @@ void FieldHeights::paintMark(QPainter& painter, const Scale& scale, double y, bo
     painter.setPen(tokens.t1);
     const QRectF row(scale.left, y - theme.px(36), scale.right - scale.left, theme.px(22));
     const QString name = of_floor ? tr("Near the floor") : tr("At the height of the chest");
-    painter.drawText(row, Qt::AlignLeft | Qt::AlignVCenter, name);
+    const QFontMetrics metrics = painter.fontMetrics();
+    const double both =
+        metrics.horizontalAdvance(name) + metrics.horizontalAdvance(wordsOf(of_floor)) + theme.px(32);
+    painter.drawText(both > row.width() ? row.translated(0, -row.height()) : row,
+                     Qt::AlignLeft | Qt::AlignVCenter, name);
     painter.setPen(color);
     painter.drawText(row, Qt::AlignRight | Qt::AlignVCenter, wordsOf(of_floor));
     if (known) {

@@ -14,6 +14,7 @@ namespace noctule::ui {
 namespace {
 
 constexpr int kMargin = 12, kNumber = 18, kBar = 62, kShare = 46, kUneven = 66;
+constexpr int kRoomForBars = 360;  ///< where names leave it
 
 }  // namespace
 
@@ -85,7 +86,8 @@ void FieldTable::paintRow(QPainter& painter, int row, int board) const {
     painter.drawText(QRect(theme.px(kMargin), top, theme.px(kNumber), high),
                      Qt::AlignRight | Qt::AlignVCenter, QString::number(board + 1));
     const int uneven_left = right - theme.px(kUneven), share_left = uneven_left - theme.px(kShare);
-    const int bar_left = share_left - theme.px(kBar), name_left = theme.px(kMargin + kNumber + 10);
+    const int bar_width = width() >= theme.px(kRoomForBars) ? theme.px(kBar) : 0;
+    const int bar_left = share_left - bar_width, name_left = theme.px(kMargin + kNumber + 10);
     const QRect name(name_left, top, bar_left - name_left - theme.px(6), high);
     const QString words = boardName(run_->suit().boards[static_cast<size_t>(board)]);
     painter.drawText(name, Qt::AlignLeft | Qt::AlignVCenter,
@@ -96,10 +98,11 @@ void FieldTable::paintRow(QPainter& painter, int row, int board) const {
         return;
     }
     const double share = turn.sphere().share();
-    BarMeter::paint(painter, QRect(bar_left, top, theme.px(kBar), high), share,
-                    bad                                      ? tokens.warn
-                    : share >= FieldTurnLimits::kEnoughShare ? tokens.ok
-                                                             : tokens.acc);
+    if (bar_width > 0)
+        BarMeter::paint(painter, QRect(bar_left, top, bar_width, high), share,
+                        bad                                      ? tokens.warn
+                        : share >= FieldTurnLimits::kEnoughShare ? tokens.ok
+                                                                 : tokens.acc);
     painter.setPen(tokens.t2);
     painter.drawText(QRect(share_left, top, theme.px(kShare - 4), high), Qt::AlignRight | Qt::AlignVCenter,
                      percentText(share));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/wizards/wizard_result.h"
 
+#include <QHBoxLayout>
 #include <QVBoxLayout>
 #include <numeric>
 
@@ -115,7 +116,11 @@ void WizardResult::fill(const CalibrationDocument& document) {
                                        static_cast<int>(document.findings.size())));
     if (!document.numbers.empty()) {
         auto* numbers = new QWidget;
-        auto* row = makeRow(numbers, {}, 8);
+        auto* rows = makeColumn(numbers, {}, 8);
+        // Four captions need two lines: beside each other they are wider than a page of large type.
+        const size_t in_a_row = document.numbers.size() > 3 ? 2 : document.numbers.size();
+        QHBoxLayout* row = nullptr;
+        size_t placed = 0;
         for (const CalibrationNumber& number : document.numbers) {
             auto* card = new ValueCard;
             card->setValue(coreWords(number.value),
@@ -124,6 +129,8 @@ void WizardResult::fill(const CalibrationDocument& document) {
                                  ? coreWords(number.what)
                                  : QStringLiteral("%1\n%2").arg(coreWords(number.what),
                                                                 tr("good: %1").arg(coreWords(number.good))));
+            if (placed++ % in_a_row == 0)
+                row = addRow(rows, 8);
             row->addWidget(card, 1);
         }
         content_->addWidget(numbers);

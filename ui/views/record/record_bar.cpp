@@ -117,7 +117,7 @@ QWidget* RecordBar::makeLeft() {
     label->setBuddy(name_);
     name_->setAccessibleName(tr("Take name"));
     name_->setToolTip(tr("Take name (T). Numbers count by themselves, and nothing is overwritten."));
-    keepMinimumWidth(*name_, 96);
+    keepMinimumWidth(*name_, 108);
     keepMaximumWidth(*name_, 180);
     next_ = new Label({}, TextRole::kSecondary, Ink::kHint);
     countdown_ = keyboardFree(makeButton(ButtonKind::kText, {}, "clock"));
