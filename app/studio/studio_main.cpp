@@ -130,7 +130,7 @@ int runStudio(int argc, char** argv) {
     else
         window.offerTour();
     if (const QString problem = studio.remoteStart().problem(); !problem.isEmpty())
-        emit studio.warned(problem);
+        emit studio.warned(problem, ui::About::kCapture);
     const int code = QApplication::exec();
     Voice::get().setSpeaker({});
     log.write("info", "ended in good order");
