@@ -9,9 +9,10 @@
 namespace noctule {
 namespace {
 
-constexpr double kSound_m_per_s = 344;  ///< a clock's error in metres
-constexpr int64_t kTriedBefore = 200;   ///< an anchor is judged, and one that seems moved is named
-constexpr double kMovedShare = 0.6;     ///< of its ranges contradict the others
+constexpr double kSound_m_per_s = 344;      ///< a clock's error in metres
+constexpr std::ptrdiff_t kFewestInUse = 3;  ///< anchors that hold a room: two fit nearly everywhere
+constexpr int64_t kTriedBefore = 200;       ///< an anchor is judged, and one that seems moved is named
+constexpr double kMovedShare = 0.6;         ///< of its ranges contradict the others
 constexpr double kOffMemory = 150;  ///< ranges of an anchor over which the share that is off is learnt: 1 s
 constexpr double kOffShare = 0.7;   ///< of the ranges of an anchor that seems moved
 constexpr double kInPlaceShare = 0.35;  ///< at most, of the ranges of one that is not
@@ -339,7 +340,12 @@ bool JointFilter::roomContradicts() const {
                static_cast<double>(tally.off) > kInPlaceShare * static_cast<double>(tally.tried);
     });
     const bool nobody_stands = std::ranges::none_of(bodies_, &Body::joined);
-    return alignment_.room_contradicts && (is_off || nobody_stands || !movedAnchors().empty());
+    // Those that are left out are not judged while the others hardly tell where anybody stands.
+    const auto in_use = std::ranges::count_if(anchors_, [](const auto& entry) {
+        return !entry.second.moved && entry.second.tried >= kTriedBefore;
+    });
+    return alignment_.room_contradicts &&
+           (is_off || nobody_stands || in_use < kFewestInUse || !movedAnchors().empty());
 }
 
 std::vector<int> JointFilter::movedAnchors() const {

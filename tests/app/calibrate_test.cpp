@@ -315,5 +315,28 @@ TEST_F(CalibrateByCommand, OptionsOfPhotographsAreChecked) {
     EXPECT_FALSE(std::filesystem::exists(sheet));
 }
 
+/// The suit says where boards sit, the calibration how exactly: laboratories state 0 of exact mountings.
+TEST_F(CalibrateByCommand, OrientationsTrustMountingsAsFarAsIsStated) {
+    const std::string take = takeOf("exact");
+    ASSERT_EQ(batch({"simulate", "--motion", NOCTULE_SOURCE_DIR "/resources/motions/sample.bvh", "--level",
+                     "readings", "--duration", "14", "--out", take, "--calibration-out", file("stated.json")})
+                  .exit_code,
+              0);
+    Calibration silent = read(file("stated.json"));
+    for (BoardCalibration& board : silent.boards) {
+        EXPECT_EQ(board.sigma_mounting_rad, Vector3d::Zero()) << board.id;
+        board.sigma_mounting_rad.reset();
+    }
+    writeBytes(file("silent.json"), toJson(silent).dump());
+    const auto mean_deg = [&](const std::string& name) {
+        EXPECT_EQ(batch({"process", take, "--estimator", "orientation", "--calibration", file(name + ".json"),
+                         "--run-name", name})
+                      .exit_code,
+                  0);
+        return batch({"evaluate", take, "--run", name, "--json"}).json().at("mean_deg").get<double>();
+    };
+    EXPECT_LT(mean_deg("stated"), mean_deg("silent") - 0.1);
+}
+
 }  // namespace
 }  // namespace noctule

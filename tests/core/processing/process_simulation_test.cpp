@@ -195,33 +195,6 @@ TEST(ProcessSimulation, APersonIsNotARobot) {
     EXPECT_LE(all_deg, meanError_deg(path, {true, true, false}) + 0.02);
 }
 
-/// The suit says where boards sit, the calibration how exactly: laboratories state 0 of exact mountings.
-TEST(ProcessSimulation, OrientationsTrustMountingsAsFarAsIsStated) {
-    if (!std::filesystem::exists(kMotion))
-        GTEST_SKIP() << "no " << kMotion << " (package assimp-testmodels)";
-    const Folder folder;
-    const std::string path = folder.file("exact.noctule");
-    simulate(path, simulation::Level::kReadings, 14);
-    ProcessRequest request = requestFor(path);
-    request.tracker.root_given = false;
-    request.tracker.estimator = kOrientationEstimator;
-    request.tracker.sensors.distances = false;
-    request.calibration = Take::open(path)->calibrationInForce()->value;
-    const auto error_deg = [&] {
-        const auto summary = processTake(request, {});
-        EXPECT_TRUE(summary) << summary.error().text();
-        return summary ? compareRun(path, summary->pose_run).mean_deg : 0;
-    };
-    const double stated_deg = error_deg();
-    for (BoardCalibration& board : request.calibration->boards) {
-        ASSERT_FALSE(board.q_segment_board) << "else the sigma is beside it";
-        ASSERT_TRUE(board.sigma_mounting_rad);
-        board.sigma_mounting_rad.reset();
-    }
-    // Measured: 2.76 and 3.06 degrees.
-    EXPECT_LT(stated_deg, error_deg() - 0.1);
-}
-
 TEST(ProcessSimulation, SoundGivesTheTruth) {
     if (!std::filesystem::exists(kMotion))
         GTEST_SKIP() << "no " << kMotion << " (package assimp-testmodels)";
