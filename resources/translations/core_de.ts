@@ -7286,7 +7286,7 @@
     </message>
     <message>
         <source>gyroscope's zero, counts</source>
-        <translation>Nullpunkt des Gyroskops, Zählwerte</translation>
+        <translation>Gyroskop, Zählwerte</translation>
     </message>
     <message>
         <source>gyroscope's zero, °/s</source>
@@ -7601,6 +7601,10 @@
         <translation>Ulnarabduktion</translation>
     </message>
     <message>
+        <source>under %1</source>
+        <translation>unter %1</translation>
+    </message>
+    <message>
         <source>under %1 %</source>
         <translation>unter %1 %</translation>
     </message>
@@ -7611,10 +7615,6 @@
     <message>
         <source>under %1 µT</source>
         <translation>unter %1 µT</translation>
-    </message>
-    <message>
-        <source>under %1</source>
-        <translation>unter %1</translation>
     </message>
     <message>
         <source>with outliers</source>

@@ -143,10 +143,10 @@ void FieldHeights::paintMark(QPainter& painter, const Scale& scale, double y, bo
     const QRectF row(scale.left, y - theme.px(36), scale.right - scale.left, theme.px(22));
     const QString name = of_floor ? tr("Near the floor") : tr("At the height of the chest");
     const QFontMetrics metrics = painter.fontMetrics();
-    const double both =
-        metrics.horizontalAdvance(name) + metrics.horizontalAdvance(wordsOf(of_floor)) + theme.px(32);
-    painter.drawText(both > row.width() ? row.translated(0, -row.height()) : row,
-                     Qt::AlignLeft | Qt::AlignVCenter, name);
+    // Where there is no room for both, the drawing beside says which height it is.
+    if (metrics.horizontalAdvance(name) + metrics.horizontalAdvance(wordsOf(of_floor)) + theme.px(32) <=
+        row.width())
+        painter.drawText(row, Qt::AlignLeft | Qt::AlignVCenter, name);
     painter.setPen(color);
     painter.drawText(row, Qt::AlignRight | Qt::AlignVCenter, wordsOf(of_floor));
     if (known) {

@@ -211,13 +211,15 @@ void RoomDrawing::paintAnchor(QPainter& painter, const Scale& scale, size_t inde
     const double sigma_down_m = std::sqrt(std::max(0.0, flatCovariance(anchor.cov_m2)(1, 1)));
     const double above = std::max(side / 2, larger_ * scale.pixels_per_m * sigma_down_m);
     QRectF place(middle.x() - theme.px(30), middle.y() - above - theme.px(18), theme.px(60), theme.px(16));
-    double next = -place.height();
+    const auto leave = [&](double step) {
+        while (std::ranges::any_of(taken, [&](const QRectF& other) { return other.intersects(place); }))
+            place.translate(0, step);
+    };
+    leave(-place.height());
     if (place.top() < theme.px(kPlanHead)) {  // the title stands there
         place.moveTop(middle.y() + above + theme.px(2));
-        next = place.height();
+        leave(place.height());
     }
-    while (std::ranges::any_of(taken, [&](const QRectF& other) { return other.intersects(place); }))
-        place.translate(0, next);
     taken.push_back(place);
     painter.drawText(place, Qt::AlignCenter | Qt::TextDontClip, words);
 }

@@ -6,6 +6,7 @@
 #include <QDropEvent>
 #include <QLabel>
 #include <QMimeData>
+#include <algorithm>
 
 #include "core/processing/export_take.h"
 #include "core/recording/take.h"
@@ -125,8 +126,11 @@ TEST_F(ReferencePanelTest, ReplacingAReferenceCanBeUndoneAndDoneAgain) {
 }
 
 TEST_F(ReferencePanelTest, OneMotionIsAttachedAtATime) {
-    const auto* attach = panel_->findChild<Button*>();
-    ASSERT_TRUE(attach && attach->isEnabled());
+    const auto buttons = panel_->findChildren<Button*>();
+    const auto found = std::ranges::find(buttons, "Attach", &Button::text);
+    ASSERT_NE(found, buttons.end());
+    const Button* attach = *found;
+    ASSERT_TRUE(attach->isEnabled());
     AttachChoice choice;
     choice.path = outsideFile("optical.bvh");
     choice.overwrite = true;
