@@ -236,9 +236,9 @@ CalibrationDocument documentOf(const RestPoseReport& report) {
             boards.rows.push_back({board.id, inDegrees(board.tilt_from_suit_rad),
                                    inDegrees(board.sigma_mounting_tilt_rad),
                                    inDegrees(board.sigma_turn_rad, 0),
-                                   text::number(board.gyro_zero_counts.x(), 1) + " " +
-                                       text::number(board.gyro_zero_counts.y(), 1) + " " +
-                                       text::number(board.gyro_zero_counts.z(), 1)});
+                                   text::number(board.gyro_zero_counts.x(), 0) + " " +
+                                       text::number(board.gyro_zero_counts.y(), 0) + " " +
+                                       text::number(board.gyro_zero_counts.z(), 0)});
     CalibrationTable joints{"Pose",
                             "How the performer stood, against the rest pose asked for.",
                             {"joint", "off, °", "sigma, °"},

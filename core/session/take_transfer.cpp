@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <mutex>
 #include <utility>
 
 #include "core/recording/database.h"
@@ -17,13 +18,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of the folder, or of the one that it will be made in.
+/// None: it cannot be asked about.
 std::optional<dev_t> fileSystemOf(const fs::path& folder) {
     struct stat found {};
     return stat(folder.c_str(), &found) == 0 ? std::optional(found.st_dev) : std::nullopt;
 }
 
+/// The list of a session is read, changed and written as one: two takes may be copied there at once.
+std::unique_lock<std::mutex> lists() {
+    static std::mutex one_at_a_time;
+    return std::unique_lock(one_at_a_time);
+}
+
 Status listThere(const TakeTransfer& transfer) {
+    const auto held = lists();
     auto there = readSession(transfer.to);
     if (!there)
         return there.error();
@@ -34,8 +42,9 @@ Status listThere(const TakeTransfer& transfer) {
     return saveSession(*there);
 }
 
-/// With the performer who came with it, unless that one does something there by now.
+/// Removes the take's line, and the performer who came with it unless current there or in another take.
 Status unlistThere(const TakeTransfer& transfer) {
+    const auto held = lists();
     auto there = readSession(transfer.to);
     if (!there)
         return there.error();
@@ -69,6 +78,15 @@ Status isUnchanged(const fs::path& take, int64_t changes) {
     return Done{};
 }
 
+/// By now another take may have its name there.
+Status isTheOne(const TakeTransfer& transfer, const fs::path& file) {
+    const auto take = Take::open(file.string());
+    if ((take ? take->header().uuid : "") != transfer.uuid)
+        return Error{ErrorKind::kUsage, transfer.take.name + ": another take has this name by now",
+                     "Rename that one first"};
+    return Done{};
+}
+
 /// Where moveToTrash() puts it.
 fs::path trashedThere(const TakeTransfer& transfer) {
     return transfer.to / "trash" / fs::path(transfer.take.file).filename();
@@ -97,6 +115,9 @@ Result<TakeTransfer> arrangeTransfer(const Session& from, const std::string& nam
         return Error{ErrorKind::kUnusable, name + ": the recording was not finished", "Recover it first"};
     if (isBeingWritten(file.string()))
         return beingRecorded(file.string());
+    if (const auto take = Take::open(file.string()))  // a damaged one goes along as it is
+        transfer.uuid = take->header().uuid;
+    fs::create_directories(to / "takes", ignored);  // what cannot be made is told when the take is written
     transfer.take = transfer.original;
     transfer.take.name = isNameFree(*there, name) ? name : nextTakeName(*there, name);
     transfer.take.file = "takes/" + transfer.take.name + kTakeExtension;
@@ -157,6 +178,9 @@ Status moveThere(Session& from, const TakeTransfer& transfer) {
     if (transfer.is_copied)
         if (Status unchanged = isUnchanged(here, transfer.changes); !unchanged)
             return unchanged;
+    if (transfer.is_copied)
+        if (Status ours = isTheOne(transfer, is_moved ? source : there); !ours)
+            return ours;
     if (is_moved)
         if (Status moved = moveTakeFiles(source, there); !moved)
             return moved;
@@ -165,8 +189,14 @@ Status moveThere(Session& from, const TakeTransfer& transfer) {
             (void)moveTakeFiles(there, source);
         return listed;
     }
-    if (transfer.is_copied)
-        return trashTake(from, transfer.original.name);
+    if (transfer.is_copied) {
+        Status trashed = trashTake(from, transfer.original.name);
+        if (!trashed && is_moved) {
+            (void)unlistThere(transfer);
+            (void)moveTakeFiles(there, source);
+        }
+        return trashed;
+    }
     std::erase_if(from.takes, [&](const SessionTake& take) { return take.name == transfer.original.name; });
     return Done{};
 }
@@ -175,6 +205,9 @@ Status moveBack(Session& from, const TakeTransfer& transfer) {
     if (from.findTake(transfer.original.name) >= 0)
         return Error{ErrorKind::kUsage, transfer.original.name + " is in the list already",
                      "Rename or remove the one that is there first"};
+    if (isThere(transfer.path()))
+        if (Status ours = isTheOne(transfer, transfer.path()); !ours)
+            return ours;
     if (transfer.is_copied) {
         Session there;
         there.folder = transfer.to;

@@ -17,6 +17,7 @@ struct TakeTransfer {
     std::optional<Performer> performer{};  ///< who comes with it, because nobody there is called so
     bool is_copied = false;                ///< its file stands there already
     int64_t changes = 0;                   ///< of the original's file, when it was copied
+    std::string uuid{};                    ///< of the take; empty: it cannot be opened
 
     std::filesystem::path path() const { return to / take.file; }
 };

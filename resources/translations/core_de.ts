@@ -7298,7 +7298,7 @@
     </message>
     <message>
         <source>heading, sigma, °</source>
-        <translation>Richtung, Sigma, °</translation>
+        <translation>Richtung, σ, °</translation>
     </message>
     <message>
         <source>heard but unused</source>
@@ -7506,7 +7506,7 @@
     </message>
     <message>
         <source>sigma, °</source>
-        <translation>Sigma, °</translation>
+        <translation>σ, °</translation>
     </message>
     <message>
         <source>source %1%2</source>
@@ -8355,6 +8355,10 @@
         <translation>%1: eine Aufnahme kann nicht "%2" heißen</translation>
     </message>
     <message>
+        <source>%1: another take has this name by now</source>
+        <translation>%1: Inzwischen trägt eine andere Aufnahme diesen Namen</translation>
+    </message>
+    <message>
         <source>%1: cannot be made: %2</source>
         <translation>%1: lässt sich nicht anlegen: %2</translation>
     </message>
@@ -8457,6 +8461,10 @@
     <message>
         <source>Rename or remove the one that is there first</source>
         <translation>Zuerst die vorhandene umbenennen oder entfernen</translation>
+    </message>
+    <message>
+        <source>Rename that one first</source>
+        <translation>Zuerst jene umbenennen</translation>
     </message>
     <message>
         <source>There is nothing to recover</source>

@@ -52,7 +52,7 @@ void ErrorPlot::setErrors(const CalibrationErrors& errors) {
 
 QSize ErrorPlot::sizeHint() const {
     const int rows = std::max(1, static_cast<int>(errors_.rows.size()));
-    return QSize(Theme::get().px(400), Theme::get().px(rows * kErrorRow + kFoot));
+    return QSize(Theme::get().px(320), Theme::get().px(rows * kErrorRow + kFoot));
 }
 
 /// Wide enough for all that is good and for nineteen of twenty of the errors; what was before may lie beyond.

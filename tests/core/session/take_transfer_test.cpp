@@ -7,6 +7,7 @@
 #include "core/recording/database.h"
 #include "core/session/take_folder.h"
 #include "tests/core/session/session_folder.h"
+#include "tests/support/take_files.h"
 
 namespace noctule::test {
 namespace {
@@ -30,12 +31,16 @@ protected:
         take.notes = "strap was loose";
         take.in_s = 0.5;
         take.unknown["x_mine"] = 7;
-        before_ = take;
     }
 
     Path other() const { return home_ / "other"; }
     Session there() const { return openSession(other(), {}).value(); }
     TakeTransfer arranged() const { return arrangeTransfer(here_, "walk_001", other()).value(); }
+    Path makeAnotherTake(const Path& path) const {
+        makeTake(path, "2026-01-01T00:00:00Z", "Bea");
+        runSql(path.string(), "UPDATE meta SET value='another' WHERE key='uuid'");
+        return path;
+    }
     /// Nothing is left that is being written.
     static bool isTidy(const Path& folder) {
         return std::ranges::all_of(fs::directory_iterator(folder), [](const fs::directory_entry& entry) {
@@ -54,7 +59,6 @@ protected:
     }
 
     Session here_;
-    SessionTake before_;
 };
 
 TEST_F(TakeTransferTest, AMoveAndItsWayBack) {
@@ -86,6 +90,32 @@ TEST_F(TakeTransferTest, AMoveAndItsWayBack) {
         }
         EXPECT_TRUE(isTidy(takes()) && isTidy(other() / "takes"));
         fs::remove_all(other() / "trash");  // what the way back of a copy leaves there
+    }
+}
+
+TEST_F(TakeTransferTest, AnotherTakeThatHasTheNameByNowStays) {
+    for (const bool by_copy : {false, true}) {
+        TakeTransfer transfer = arranged();
+        if (by_copy) {
+            ASSERT_TRUE(copyThere(here_, transfer, {}));
+        }
+        ASSERT_TRUE(moveThere(here_, transfer));
+        const Path place = other() / "takes" / "walk_001.noctule";
+        fs::rename(place, home_ / "aside");
+        makeAnotherTake(place);
+        const std::string bytes = text(place);
+        EXPECT_NE(moveBack(here_, transfer).error().text().find("another take"), std::string::npos);
+        EXPECT_EQ(text(place), bytes);
+        fs::rename(home_ / "aside", place);
+        ASSERT_TRUE(moveBack(here_, transfer));
+        if (by_copy) {
+            makeAnotherTake(place);
+            EXPECT_FALSE(moveThere(here_, transfer));
+            EXPECT_TRUE(isThere(takes() / "walk_001.noctule"));
+            EXPECT_EQ(text(place), bytes);
+            fs::remove(place);
+        }
+        fs::remove_all(other() / "trash");
     }
 }
 
