@@ -31,13 +31,9 @@ Result<MarkerClock> markerClock(Take& take) {
     if (!subjects)
         return subjects.error();
     const auto wearer = std::ranges::find(*subjects, false, &TakeSubject::room);
-    MarkerClock found;
-    if (wearer != subjects->end())
-        found.suit = wearer->suit();
-    take.view(found.suit);
-    found.clock = take.suitClock();
-    found.rate_hz = static_cast<double>(take.header().sample_rate_hz);
-    return found;
+    const int suit = (wearer != subjects->end() ? *wearer : subjects->front()).suit();
+    take.view(suit);
+    return MarkerClock{suit, take.suitClock(), static_cast<double>(take.header().sample_rate_hz)};
 }
 
 Status changeMarker(const std::string& path, const MarkerChange& change, const JobContext& job) {

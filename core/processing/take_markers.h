@@ -11,12 +11,12 @@
 
 namespace noctule {
 
-/// Operators mark the take, not a suit: their markers stand with the first suit that somebody wears, in
-/// samples of its box.
+/// Operators mark the take, not a suit: their markers stand with the first suit that somebody wears, else
+/// with that of the room, in samples of its box.
 struct MarkerClock {
-    int suit = 1;
+    int suit;
     SuitClock clock;
-    double rate_hz = 0;  ///< 0: the take has none
+    double rate_hz;  ///< 0: the take has none
 
     /// Of the take's clock, as all times on the screens.
     double seconds(int64_t sample) const;
