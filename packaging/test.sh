@@ -29,6 +29,10 @@ echo "== all tests, release"
 # Two more than processors: the tests on screens wait for most of their time.
 result=0
 ctest --preset release --parallel $((jobs + 2)) --no-tests=error || result=$?
+# A suite is one test of CTest: its single tests that failed, with what they said, are told last.
+failed=$(awk '/^\[ RUN / { said = "" } { said = said $0 "\n" } /^\[  FAILED  \] .* \([0-9]+ ms\)$/ { print said }' \
+    build/release/Testing/Temporary/LastTest.log)
 left_out=$(grep -A1 ': Skipped$' build/release/Testing/Temporary/LastTest.log | grep -v -e ': Skipped$' -e '^--$' | sort | uniq -c || true)
 [ -z "$left_out" ] || printf '== tests left out, how many and why\n%s\n' "$left_out"
+[ -z "$failed" ] || printf '== single tests that failed\n%s\n' "$(tail -n 200 <<<"$failed")"
 exit $result
