@@ -58,6 +58,7 @@ Result<ReportTake> describeTake(const Take& take) {
     if (!samples)
         return samples.error();
     described.duration_s = static_cast<double>(*samples) / described.sample_rate_hz;
+    described.begin_s = take.suitClock().takeTime_s(0);
     const auto rest = take.restInterval();
     if (!rest)
         return rest.error();
@@ -70,16 +71,6 @@ Result<ReportTake> describeTake(const Take& take) {
     for (const NoteRow& note : *notes)
         described.notes.push_back(note.text);
     return described;
-}
-
-/// From the end of the rest pose, without one from the beginning, to the end; on the clock of the suit, as
-/// `process` counts.
-Result<double> afterRest_s(const Take& take, const ReportTake& described) {
-    const auto rest = take.restInterval();
-    if (!rest)
-        return rest.error();
-    const auto last = static_cast<double>(*rest ? (*rest)->last : 0);
-    return described.duration_s - last / described.sample_rate_hz;
 }
 
 /// Names of a stored reference's joints in its file; none when they are not known.
@@ -272,8 +263,7 @@ Status addQuality(const Take& take, const DerivedRun& run, const RunSettings& se
     std::vector<double> board_share;
     for (const ReportBoard& board : data.boards)
         board_share.push_back(board.frames_expected == 0 ? 0 : 1 - board.lostShare());
-    data.support = jointSupport(parts->actor.skeleton, parts->suit, data.pairs, board_share,
-                                data.take.duration_s, data.take.rest_s);
+    data.support = jointSupport(parts->actor.skeleton, parts->suit, data.pairs, board_share, data.take);
     return Done{};
 }
 
@@ -371,11 +361,8 @@ Result<ReportData> evaluateTake(const EvaluateRequest& request, const JobContext
     if (Status added = addQuality(take, *shown, settings, data, job); !added)
         return added.error();
     data.people_apart = settings.people_apart;
-    const auto after_rest_s = afterRest_s(take, data.take);
-    if (!after_rest_s)
-        return after_rest_s.error();
     if (std::string drift =
-            driftWarning(settings.estimator, settings.sensors, settings.root_given, *after_rest_s);
+            driftWarning(settings.estimator, settings.sensors, settings.root_given, data.take.afterRest_s());
         !drift.empty())
         data.warnings.push_back(std::move(drift));
     for (const SkippedRows& skipped : take.skippedRows())

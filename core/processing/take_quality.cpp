@@ -44,12 +44,16 @@ PulseFate fateOf(RangeFate fate) {
 /// All pulses of a take at all boards, one after the other.
 class PulseGrid {
 public:
-    PulseGrid(std::vector<Pulse> pulses, const Suit& suit, double sample_rate_hz)
-        : pulses_(std::move(pulses)), suit_(suit), at_boards_(pulses_.size() * suit.boards.size()) {
+    PulseGrid(std::vector<Pulse> pulses, const Suit& suit, const SuitClock& clock, double sample_rate_hz)
+        : pulses_(std::move(pulses)),
+          suit_(suit),
+          clock_(clock),
+          sample_rate_hz_(sample_rate_hz),
+          at_boards_(pulses_.size() * suit.boards.size()) {
         for (size_t p = 0; p < pulses_.size(); ++p) {
             place_[pulses_[p].id] = p;
             for (size_t b = 0; b < suit.boards.size(); ++b)
-                at(p, b).time_s = static_cast<float>(static_cast<double>(pulses_[p].sample) / sample_rate_hz);
+                at(p, b).time_s = static_cast<float>(time_s(p));
         }
     }
 
@@ -66,11 +70,8 @@ public:
     }
 
     /// What was missing and could not be heard: where the poses before and after are near enough.
-    Status explain(const PoseSource& motion, LineOfSight& sight, double sample_rate_hz,
-                   const JobContext& job) {
-        const auto time_ns = [&](size_t pulse) {
-            return std::llround(static_cast<double>(pulses_[pulse].sample) * 1e9 / sample_rate_hz);
-        };
+    Status explain(const PoseSource& motion, LineOfSight& sight, const JobContext& job) {
+        const auto time_ns = [&](size_t pulse) { return std::llround(time_s(pulse) * 1e9); };
         constexpr int64_t kNear_ns = 200'000'000;  // runs of other programs may hold ten poses a second
         TimedMotion latest{motion.skeleton, {}};   // the last two that were seen
         size_t p = 0;
@@ -108,6 +109,10 @@ public:
     }
 
 private:
+    /// On the take's clock, as poses and references are.
+    double time_s(size_t pulse) const {
+        return clock_.takeTime_s(static_cast<double>(pulses_[pulse].sample) / sample_rate_hz_);
+    }
     void explainPulse(size_t pulse, const LineOfSight& sight) {
         for (size_t b = 0; b < suit_.boards.size(); ++b)
             if (at(pulse, b).fate == PulseFate::kMissing &&
@@ -118,6 +123,8 @@ private:
 
     std::vector<Pulse> pulses_;
     const Suit& suit_;
+    SuitClock clock_;
+    double sample_rate_hz_;
     std::vector<PulseAtBoard> at_boards_;
     std::unordered_map<int64_t, size_t> place_;
 };
@@ -184,7 +191,7 @@ Result<std::vector<ReportPair>> pairQuality(const Take& take, const Suit& suit,
     const auto rate = take.sampleRate_hz();
     if (!rate)
         return rate.error();
-    PulseGrid grid(std::move(*pulses), suit, static_cast<double>(*rate));
+    PulseGrid grid(std::move(*pulses), suit, take.suitClock(), static_cast<double>(*rate));
     if (range_run) {
         auto ranges = take.ranges(*range_run);
         if (!ranges)
@@ -199,7 +206,7 @@ Result<std::vector<ReportPair>> pairQuality(const Take& take, const Suit& suit,
         }
     }
     if (motion && sight)
-        if (Status done = grid.explain(*motion, *sight, static_cast<double>(*rate), job); !done)
+        if (Status done = grid.explain(*motion, *sight, job); !done)
             return done.error();
     return grid.pairs();
 }

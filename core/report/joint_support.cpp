@@ -29,21 +29,21 @@ std::vector<int> jointsBetween(const Skeleton& skeleton, int a, int b) {
 
 using Covered = std::vector<bool>;  // per step of time
 
-void cover(Covered& covered, const ReportPair& pair, double hold_s) {
+void cover(Covered& covered, const ReportPair& pair, double begin_s, double hold_s) {
     for (const PulseAtBoard& pulse : pair.pulses) {
-        if (pulse.fate != PulseFate::kUsed || !(pulse.time_s >= 0))
+        const double after_s = pulse.time_s - begin_s;
+        if (pulse.fate != PulseFate::kUsed || !(after_s >= 0))
             continue;
-        const auto first = static_cast<size_t>(pulse.time_s / kStep_s);
-        const auto last =
-            std::min(covered.size(), static_cast<size_t>((pulse.time_s + hold_s) / kStep_s) + 1);
+        const auto first = static_cast<size_t>(after_s / kStep_s);
+        const auto last = std::min(covered.size(), static_cast<size_t>((after_s + hold_s) / kStep_s) + 1);
         for (size_t i = first; i < last; ++i)
             covered[i] = true;
     }
 }
 
 /// Finds the time after the rest that parts the take into a backed and an unbacked half most clearly.
-void findLoss(const Covered& covered, double rest_s, JointSupport& support) {
-    const auto begin = static_cast<size_t>(std::max(0.0, rest_s) / kStep_s);
+void findLoss(const Covered& covered, const ReportTake& take, JointSupport& support) {
+    const auto begin = static_cast<size_t>(std::max(0.0, take.rest_s - take.begin_s) / kStep_s);
     const auto least = static_cast<size_t>(kLeastHalf_s / kStep_s);
     if (covered.size() < begin + 2 * least)
         return;
@@ -57,7 +57,7 @@ void findLoss(const Covered& covered, double rest_s, JointSupport& support) {
         if (share < kBackedBefore || rest > kBackedAfter || share - rest <= support.lost_share)
             continue;
         support.lost_share = share - rest;
-        support.lost_from_s = static_cast<double>(i) * kStep_s;
+        support.lost_from_s = take.begin_s + static_cast<double>(i) * kStep_s;
     }
 }
 
@@ -70,17 +70,17 @@ double shareOf(const Covered& covered) {
 
 std::vector<JointSupport> jointSupport(const Skeleton& skeleton, const Suit& suit,
                                        const std::vector<ReportPair>& pairs,
-                                       const std::vector<double>& board_share, double duration_s,
-                                       double rest_s, double hold_s) {
+                                       const std::vector<double>& board_share, const ReportTake& take,
+                                       double hold_s) {
     require(board_share.size() == suit.boards.size(), "every board has a share");
-    const auto steps = static_cast<size_t>(std::max(0.0, duration_s) / kStep_s);
+    const auto steps = static_cast<size_t>(std::max(0.0, take.duration_s) / kStep_s);
     std::vector<Covered> covered(skeleton.joints().size(), Covered(steps));
     for (const ReportPair& pair : pairs) {
         const Board& board = suit.boards.at(static_cast<size_t>(pair.board));
         const Source& source = suit.sources.at(static_cast<size_t>(pair.source));
         for (const int j :
              jointsBetween(skeleton, skeleton.find(board.segment), skeleton.find(source.segment)))
-            cover(covered[static_cast<size_t>(j)], pair, hold_s);
+            cover(covered[static_cast<size_t>(j)], pair, take.begin_s, hold_s);
     }
     std::vector<JointSupport> support;
     for (int j = 1; j < skeleton.size(); ++j) {
@@ -92,7 +92,7 @@ std::vector<JointSupport> jointSupport(const Skeleton& skeleton, const Suit& sui
                 readings = std::max(readings, board_share[b]);
         const double ranges = shareOf(covered[static_cast<size_t>(j)]);
         support.push_back({skeleton.joint(j).name, ranges, readings * (1 - ranges), {}, 0});
-        findLoss(covered[static_cast<size_t>(j)], rest_s, support.back());
+        findLoss(covered[static_cast<size_t>(j)], take, support.back());
     }
     return support;
 }

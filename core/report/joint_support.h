@@ -11,12 +11,12 @@
 namespace noctule {
 
 /// Of every joint with freedom, the root left out. `pairs` index the suit's sources and boards, as do
-/// `board_share` (share of frames with a reading, 0..1). The take's rest, its first `rest_s`, does not count
-/// for the loss. A range counts for `hold_s` after its pulse: three rounds of eight sources by default.
+/// `board_share` (share of frames with a reading, 0..1). What is before the end of the take's rest does not
+/// count for the loss. A range counts for `hold_s` after its pulse: three rounds of eight sources by default.
 std::vector<JointSupport> jointSupport(const Skeleton& skeleton, const Suit& suit,
                                        const std::vector<ReportPair>& pairs,
-                                       const std::vector<double>& board_share, double duration_s,
-                                       double rest_s, double hold_s = 0.192);
+                                       const std::vector<double>& board_share, const ReportTake& take,
+                                       double hold_s = 0.192);
 
 /// A joint lost its ranges (a strap moved, a source fell off) when their share was at least the one before
 /// and at most the other after, each over at least kLeastHalf_s.

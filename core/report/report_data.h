@@ -22,7 +22,12 @@ struct ReportTake {
     std::string name, file, uuid, created_utc, performer, actor_name, software;
     std::string level = "signal";  ///< or "readings": the take holds no sound
     double duration_s = 0;
-    double rest_s = 0;  ///< left out of every comparison
+    double begin_s = 0;  ///< on the take's clock; not 0 where the box of another suit began first
+    double rest_s = 0;   ///< end of the rest pose on the take's clock; what is before is never compared
+
+    double end_s() const { return begin_s + duration_s; }
+    /// From the end of the rest pose, without one from the beginning, to the end.
+    double afterRest_s() const { return end_s() - std::max(begin_s, rest_s); }
     double sample_rate_hz = 0;
     std::string reference_kind;  ///< "simulated", "optical", ...; empty: none
     std::string reference_name;  ///< file, when it has one
@@ -76,7 +81,7 @@ enum class PulseFate : unsigned char {
 inline constexpr int kPulseFates = 5;
 
 struct PulseAtBoard {
-    float time_s = 0;
+    float time_s = 0;  ///< on the take's clock
     PulseFate fate = PulseFate::kMissing;
     float confidence = 0;    ///< 0..1; 0 when not heard
     float distance_m = NAN;  ///< NaN when not heard

@@ -59,18 +59,19 @@ std::string provenanceSection(const ReportData& data) {
     const ReportTake& take = data.take;
     std::string body =
         html::heading("Take") +
-        html::definitions({{"File", take.file},
-                           {"Identity", take.uuid},
-                           {"Recorded", text::utc(take.created_utc)},
-                           {"Performer", take.performer},
-                           {"Actor", take.actor_name},
-                           {"Length", text::number(take.duration_s, 2) + " s"},
-                           {"Rest at its start", text::number(take.rest_s, 1) + " s"},
-                           {"Sample rate", text::number(take.sample_rate_hz, 0) + " Hz"},
-                           {"Level", take.level},
-                           {"Reference", take.reference_kind + (take.reference_name.empty() ? "" : ", ") +
-                                             take.reference_name},
-                           {"Written by", take.software}});
+        html::definitions(
+            {{"File", take.file},
+             {"Identity", take.uuid},
+             {"Recorded", text::utc(take.created_utc)},
+             {"Performer", take.performer},
+             {"Actor", take.actor_name},
+             {"Length", text::number(take.duration_s, 2) + " s"},
+             {"Rest at its start", text::number(std::max(0.0, take.rest_s - take.begin_s), 1) + " s"},
+             {"Sample rate", text::number(take.sample_rate_hz, 0) + " Hz"},
+             {"Level", take.level},
+             {"Reference",
+              take.reference_kind + (take.reference_name.empty() ? "" : ", ") + take.reference_name},
+             {"Written by", take.software}});
     for (const ReportRun& run : data.runs) {
         NamedValues entries = {{"Sensors", sensorsLabel(run.sensors)},
                                {"Estimator", run.estimator},

@@ -91,7 +91,7 @@ std::string sensorsLabel(const std::string& sensors) {
 }
 
 Interval takeInterval(const ReportData& data) {
-    return {0, std::max(data.take.duration_s, 1e-3)};
+    return {data.take.begin_s, data.take.begin_s + std::max(data.take.duration_s, 1e-3)};
 }
 
 std::string summarySection(const ReportData& data) {

@@ -68,7 +68,7 @@ private:
         if (!comparison_)
             return;
         verdict_.mean_error_deg = comparison_->mean_deg;
-        if (const double moves_s = report_.take.duration_s - report_.take.rest_s; moves_s > 0)
+        if (const double moves_s = report_.take.afterRest_s(); moves_s > 0)
             verdict_.compared_share = std::min(1.0, comparison_->duration_s / moves_s);
         charge(VerdictReason::kMeanError,
                gradeOf(comparison_->mean_deg, limits_.good_mean_deg, limits_.usable_mean_deg));
@@ -221,13 +221,13 @@ private:
     void judgeHoles() {
         std::vector<std::pair<double, double>> gaps = report_.gaps_s;
         std::sort(gaps.begin(), gaps.end());
-        std::pair<double, double> hole{0, 0};
+        std::pair<double, double> hole{report_.take.begin_s, report_.take.begin_s};
         for (const auto& [from_s, to_s] : gaps) {
             if (from_s > hole.second) {
                 addHole(hole);
                 hole.first = from_s;
             }
-            hole.second = std::max(hole.second, std::min(to_s, report_.take.duration_s));
+            hole.second = std::max(hole.second, std::min(to_s, report_.take.end_s()));
         }
         addHole(hole);
         charge(VerdictReason::kHole,

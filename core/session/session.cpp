@@ -18,11 +18,10 @@ namespace fs = std::filesystem;
 
 constexpr const char* kFile = "session.json";
 constexpr const char* kFolders[] = {"calibration", "takes", "video", "exports"};
-constexpr const char* kFirstPerformer = "Performer 1";
 
-Performer firstPerformer() {
+Performer performerNamed(const std::string& name) {
     Performer performer;
-    performer.name = kFirstPerformer;
+    performer.name = name;
     performer.suit = defaultSuit();
     return performer;
 }
@@ -72,8 +71,8 @@ std::vector<Performer> performersOfTakes(const Session& session) {
             continue;
         const auto known = std::find_if(performers.begin(), performers.end(),
                                         [&](const Performer& p) { return p.name == named->second; });
-        Performer& performer = known == performers.end() ? performers.emplace_back(firstPerformer()) : *known;
-        performer.name = named->second;
+        Performer& performer =
+            known == performers.end() ? performers.emplace_back(performerNamed(named->second)) : *known;
         if (const auto suit = take->suit())
             performer.suit = *suit;
         if (const auto actor = take->actorInForce(); actor && actor->value.height_m > 0)
@@ -104,8 +103,8 @@ Result<Session> readSession(const fs::path& folder) {
     return session;
 }
 
-Result<Session> createSession(const fs::path& folder, const std::string& name,
-                              const std::string& created_utc) {
+Result<Session> createSession(const fs::path& folder, const std::string& name, const std::string& created_utc,
+                              const std::string& performer) {
     std::error_code error;
     if (isThere(folder) && !fs::is_empty(folder, error))
         return Error{ErrorKind::kUsage, folder.string() + ": is not empty", "Choose another name or folder"};
@@ -113,8 +112,8 @@ Result<Session> createSession(const fs::path& folder, const std::string& name,
     session.folder = folder;
     session.name = name;
     session.created_utc = created_utc;
-    session.performers = {firstPerformer()};
-    session.current_performer = kFirstPerformer;
+    session.performers = {performerNamed(performer)};
+    session.current_performer = performer;
     NewFolders folders;
     if (!isThere(folder))
         if (const Status made = folders.make(folder); !made)
@@ -180,7 +179,7 @@ Result<Session> rebuildSession(const fs::path& folder, const std::string& create
     session.created_utc = created_utc;
     session.performers = performersOfTakes(session);
     if (session.performers.empty())
-        session.performers = {firstPerformer()};
+        session.performers = {performerNamed(kFirstPerformer)};
     session.current_performer = session.performers.front().name;
     if (const Status aside = setDamagedFileAside(folder); !aside)
         return aside.error();

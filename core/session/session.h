@@ -86,9 +86,12 @@ struct Session {
     std::filesystem::path exportsFolder() const { return folder / "exports"; }
 };
 
+/// Until somebody names the performer.
+inline constexpr const char* kFirstPerformer = "Performer 1";
+
 /// Makes the folder, which must not exist or be empty, with one performer.
 Result<Session> createSession(const std::filesystem::path& folder, const std::string& name,
-                              const std::string& created_utc);
+                              const std::string& created_utc, const std::string& performer = kFirstPerformer);
 /// Reads session.json and looks at every take in takes/ (also those that session.json does not know). A
 /// damaged session.json is an error that says what is safe; damaged takes are listed with their problem.
 Result<Session> openSession(const std::filesystem::path& folder, const JobContext& job);

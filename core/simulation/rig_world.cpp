@@ -149,9 +149,14 @@ Quaterniond RigWorld::seatOn(RigSide side) const {
     return side_errors_[side.index()] * upright;
 }
 
+void RigWorld::turn(double begin_s, double angle_rad, const Vector3d& axis) {
+    const Quaterniond from = turns_.empty() ? first_seat_ : turns_.back().to;
+    turns_.push_back({begin_s, angle_rad, axis, from, expQuaternion(angle_rad * axis) * from});
+}
+
 double RigWorld::turnTo(RigSide side, double t_s) {
-    const Vector3d turn = logQuaternion(seatOn(side) * seatOn(side_).conjugate());
-    turns_.push_back({t_s, turn.norm(), turn.norm() > 0 ? Vector3d(turn.normalized()) : Vector3d::UnitY()});
+    const Vector3d way = logQuaternion(seatOn(side) * seatOn(side_).conjugate());
+    turn(t_s, way.norm(), way.norm() > 0 ? Vector3d(way.normalized()) : Vector3d::UnitY());
     side_ = side;
     return ready_s_ = t_s + kTurn_s;
 }
@@ -191,9 +196,8 @@ double RigWorld::roll(double seconds, double t_s) {
     for (double begin_s = std::max(t_s, ready_s_); begin_s < end_s; begin_s += kTurn_s) {
         const double share = std::fmod(0.5 + 0.618034 * rolls_, 1.0), y = 2 * share - 1;
         const double azimuth_rad = 2.399963 * rolls_++, across = std::sqrt(1 - y * y);
-        turns_.push_back({begin_s,
-                          radians(kRoll_deg),
-                          {across * std::sin(azimuth_rad), y, across * std::cos(azimuth_rad)}});
+        turn(begin_s, radians(kRoll_deg),
+             {across * std::sin(azimuth_rad), y, across * std::cos(azimuth_rad)});
         ready_s_ = begin_s + kTurn_s;
     }
     return ready_s_;
@@ -222,13 +226,23 @@ void RigWorld::beginAgain() {
 }
 
 Matrix3<Jet> RigWorld::seatAt(double t_s) const {
-    Matrix3<Jet> seat = first_seat_.toRotationMatrix().cast<Jet>();
-    for (const Turn& turn : turns_)
-        seat = turnedAbout(turn.axis, fadeWeight<Jet>(t_s - turn.begin_s, kTurn_s) * turn.angle_rad) * seat;
-    return seat;
+    const auto standing = [](const Quaterniond& seat) -> Matrix3<Jet> {
+        return seat.toRotationMatrix().cast<Jet>();
+    };
+    const auto next =
+        std::ranges::partition_point(turns_, [t_s](const Turn& turn) { return turn.begin_s <= t_s; });
+    if (next == turns_.begin())
+        return standing(first_seat_);
+    const Turn& latest = *std::prev(next);
+    if (t_s >= latest.begin_s + kTurn_s)
+        return standing(latest.to);
+    return turnedAbout(latest.axis, fadeWeight<Jet>(t_s - latest.begin_s, kTurn_s) * latest.angle_rad) *
+           standing(latest.from);
 }
 
 Matrix3<Jet> RigWorld::tableAt(double t_s) const {
+    if (speeds_.empty())
+        return table_tilt_.toRotationMatrix().cast<Jet>();
     Jet angle_rad;
     for (const SpeedChange& change : speeds_)
         angle_rad += faded(t_s - change.begin_s, kSpeedUp_s) * change.by_rad_per_s;

@@ -89,6 +89,7 @@ private:
     struct Turn {
         double begin_s = 0, angle_rad = 0;
         Vector3d axis = Vector3d::UnitY();
+        Quaterniond from, to;  ///< the seat before and after
     };
     struct SpeedChange {
         double begin_s = 0, by_rad_per_s = 0;
@@ -104,6 +105,7 @@ private:
     void arrangeJig(const Suit& suit, const RigScenario& scenario, uint64_t seed);
     void arrangeTable(const Suit& suit);
     Quaterniond seatOn(RigSide side) const;
+    void turn(double begin_s, double angle_rad, const Vector3d& axis);
     double turnTo(RigSide side, double t_s);
     double changeSpeed(double to_rad_per_s, double t_s);
 
@@ -125,7 +127,7 @@ private:
     double ready_s_ = 0;
     RigSide side_;
     Quaterniond first_seat_;
-    std::vector<Turn> turns_;
+    std::vector<Turn> turns_;  ///< one after the other
     int rolls_ = 0;
     double first_height_m_ = kHeight_m, height_m_ = kHeight_m;
     std::vector<Lift> lifts_;

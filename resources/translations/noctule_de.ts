@@ -2106,10 +2106,6 @@
         <translation>Körperteil der gefundenen Platine</translation>
     </message>
     <message>
-        <source>Performer 1</source>
-        <translation>Darsteller 1</translation>
-    </message>
-    <message>
         <source>Performers belong to a session. The first take makes one by date.</source>
         <translation>Darsteller gehören zu einer Sitzung. Die erste Aufnahme legt eine nach dem Datum an.</translation>
     </message>
@@ -5300,10 +5296,6 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Takes, calibration and exports go in here. The folder can be copied and moved.</source>
         <translation>Hier liegen Aufnahmen, Kalibrierung und Exporte. Der Ordner lässt sich kopieren und verschieben.</translation>
-    </message>
-    <message>
-        <source>Performer 1</source>
-        <translation>Darsteller 1</translation>
     </message>
     <message>
         <source>Performer</source>
@@ -9723,6 +9715,10 @@ Median; gut: unter %1</translation>
 </context>
 <context>
     <name>noctule::ui::SessionModel</name>
+    <message>
+        <source>Performer 1</source>
+        <translation>Darsteller 1</translation>
+    </message>
     <message>
         <source>Rate %1</source>
         <translation>%1 bewerten</translation>

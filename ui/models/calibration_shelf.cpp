@@ -62,13 +62,13 @@ QString CalibrationShelf::fileInForce() const {
     if (!session_.isOpen())
         return {};
     const auto& own = session_.session().suit_calibrations;
-    const auto found = own.find(serial().toStdString());
+    const auto found = own.find(suit_.serial().toStdString());
     return QString::fromStdString(found != own.end() ? found->second : session_.session().calibration);
 }
 
 /// The session names a file for this suit alone.
 bool CalibrationShelf::isOwnFile() const {
-    return session_.isOpen() && session_.session().suit_calibrations.contains(serial().toStdString());
+    return session_.isOpen() && session_.session().suit_calibrations.contains(suit_.serial().toStdString());
 }
 
 bool CalibrationShelf::isOfThisSuit(const Calibration& calibration) const {
@@ -175,7 +175,7 @@ void CalibrationShelf::hand() {
     emit replaced();
     remembered_.reset();
     newer_ = found->calibration;
-    if (const auto kept = memory_.latest(serial()); !kept || !takeNewerParts(*newer_, *kept))
+    if (const auto kept = memory_.latest(suit_.serial()); !kept || !takeNewerParts(*newer_, *kept))
         newer_.reset();
     if (const QStringList others = strangers(found->calibration); !others.isEmpty())
         emit warned(tr("The calibration %1 was made with other parts than those connected now: %2. Calibrate "
@@ -184,13 +184,8 @@ void CalibrationShelf::hand() {
     suit_.setCalibration(found->calibration);
 }
 
-QString CalibrationShelf::serial() const {
-    const auto hello = suit_.status()->hello;
-    return hello ? QString::fromStdString(hello->serial) : QString();
-}
-
 void CalibrationShelf::recall() {
-    remembered_ = memory_.latest(serial(), taken_back_);
+    remembered_ = memory_.latest(suit_.serial(), taken_back_);
     if (!remembered_)
         return;
     const QDateTime made = ShelvedCalibration{{}, *remembered_}.made();
@@ -198,18 +193,18 @@ void CalibrationShelf::recall() {
     emit told(
         tr("%1: the calibration of its sensors and sources from an earlier session is in use (made %2).",
            "serial number, date")
-            .arg(serial(), QLocale().toString(made.toLocalTime().date(), QLocale::ShortFormat)));
+            .arg(suit_.serial(), QLocale().toString(made.toLocalTime().date(), QLocale::ShortFormat)));
     if (const QStringList others = strangers(*remembered_); !others.isEmpty())
         emit warned(tr("Parts of %1 were exchanged since it was calibrated: %2. Calibrate those before takes "
                        "with them can be relied on.")
-                        .arg(serial(), others.join(", ")));
+                        .arg(suit_.serial(), others.join(", ")));
     emit changed();
 }
 
 void CalibrationShelf::remember(const Calibration& calibration) {
     if (suit_.phase() == LiveSuit::Phase::kNone)
         return;
-    if (const Status kept = memory_.keep(serial(), calibration); !kept)
+    if (const Status kept = memory_.keep(suit_.serial(), calibration); !kept)
         emit warned(
             tr("The calibration could not be kept for other sessions. %1.").arg(coreWords(kept.error())));
 }
@@ -240,7 +235,7 @@ QString CalibrationShelf::importFile(const QString& path) {
         boards, [&](const Board& board) { return calibration->findBoard(board.id) != nullptr; });
     if (!boards.empty() && !knows_some)
         return tr("%1 knows none of the boards of %2. Choose the calibration of this suit.")
-            .arg(QFileInfo(path).fileName(), serial());
+            .arg(QFileInfo(path).fileName(), suit_.serial());
     if (!session_.makeSure())
         return tr("There is no session to keep the calibration in, and none could be made. Make one first.");
     const QString name = nextName(QFileInfo(path).completeBaseName()) + ".json";
@@ -303,7 +298,7 @@ void CalibrationShelf::keepMeasures(const Actor& actor, const QString& what) {
 
 void CalibrationShelf::use(const QString& file, const QString& what) {
     if (is_beside_ || isOwnFile())
-        session_.setSuitCalibration(serial(), file, what);
+        session_.setSuitCalibration(suit_.serial(), file, what);
     else
         session_.setCalibration(file, what);
 }

@@ -78,7 +78,6 @@ private:
     void hand();
     void remember(const Calibration& calibration);
     void recall();
-    QString serial() const;
     bool isOwnFile() const;
     const ShelvedCalibration* chosenFile() const;
     bool isOfThisSuit(const Calibration& calibration) const;

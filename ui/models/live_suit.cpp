@@ -133,6 +133,11 @@ void LiveSuit::release() {
         connectTo(next, std::exchange(next_known_, {}));
 }
 
+QString LiveSuit::serial() const {
+    const auto hello = status()->hello;
+    return hello ? QString::fromStdString(hello->serial) : QString();
+}
+
 std::shared_ptr<const SessionStatus> LiveSuit::status() const {
     return live_ ? live_->status() : status_;
 }

@@ -63,6 +63,8 @@ public:
 
     /// Never null; of kNone an empty one.
     std::shared_ptr<const SessionStatus> status() const;
+    /// Of the driver box; empty before it has told it.
+    QString serial() const;
     /// The newest live frame; null without a stream or when nothing is processed. Its poses are true only
     /// with a calibration().
     std::shared_ptr<const LiveFrame> frame() const { return frame_; }

@@ -72,9 +72,13 @@ QString SessionModel::whyNotHere() const {
         .arg(QString::fromStdString(session_->folder.string()));
 }
 
+QString SessionModel::firstPerformer() {
+    return tr("Performer 1");
+}
+
 bool SessionModel::create(const QString& folder, const QString& name) {
     emit triedAnew();
-    auto made = createSession(pathOf(folder), name.toStdString(), nowUtc());
+    auto made = createSession(pathOf(folder), name.toStdString(), nowUtc(), firstPerformer().toStdString());
     if (!made) {
         tell(tr("The session “%1” was not made").arg(name), made.error());
         return false;

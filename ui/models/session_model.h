@@ -41,6 +41,8 @@ public:
     int currentTake() const { return current_; }  ///< index into session().takes, -1: none
     void setCurrentTake(int index);
 
+    /// What the first performer of a session is called until somebody names it.
+    static QString firstPerformer();
     bool create(const QString& folder, const QString& name);  ///< false: failed() was emitted
     /// Makes one by date when none is open; false: failed() was emitted.
     bool makeSure();

@@ -12,17 +12,16 @@
 namespace noctule::ui {
 namespace {
 
-/// What every file system takes as a name.
-QString fileNameOf(QString words) {
-    return words.replace(QRegularExpression("[^A-Za-z0-9._-]"), "-");
-}
-
 bool tellsAnything(const Calibration& parts) {
     return std::ranges::any_of(parts.boards, [](const auto& board) { return !board.made.empty(); }) ||
            std::ranges::any_of(parts.sources, [](const auto& source) { return !source.offsets_s.empty(); });
 }
 
 }  // namespace
+
+QString fileNameOf(QString words) {
+    return words.replace(QRegularExpression("[^A-Za-z0-9._-]"), "-");
+}
 
 QString SuitMemory::folderOf(const QString& serial) const {
     return QDir(folder_).filePath(fileNameOf(serial));

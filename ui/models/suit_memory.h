@@ -13,6 +13,9 @@
 
 namespace noctule::ui {
 
+/// A serial number or time as every file system takes it in a name.
+QString fileNameOf(QString words);
+
 class SuitMemory {
 public:
     explicit SuitMemory(QString folder) : folder_(std::move(folder)) {}

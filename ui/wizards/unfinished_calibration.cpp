@@ -8,6 +8,7 @@
 
 #include "core/job/atomic_file.h"
 #include "core/math/json.h"
+#include "ui/models/suit_memory.h"
 
 namespace noctule::ui {
 namespace {
@@ -28,8 +29,13 @@ int UnfinishedCalibration::stepsDone() const {
     return static_cast<int>(steps.size());
 }
 
-QString unfinishedPath(const QString& calibration_folder, const QString& task) {
-    return QDir(calibration_folder).filePath(task + ".unfinished.json");
+QString unfinishedPath(const QString& calibration_folder, const QString& task, const QString& serial) {
+    const QDir folder(calibration_folder);
+    const auto name = QStringLiteral("%1.%2.unfinished.json");
+    if (!serial.isEmpty())
+        return folder.filePath(name.arg(task, fileNameOf(serial)));
+    const QStringList kept = folder.entryList({name.arg(task, "*")}, QDir::Files, QDir::Time);
+    return kept.isEmpty() ? QString() : folder.filePath(kept.front());
 }
 
 Status writeUnfinished(const QString& path, const QString& task, const UnfinishedCalibration& unfinished) {

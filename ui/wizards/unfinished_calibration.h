@@ -28,8 +28,8 @@ struct UnfinishedCalibration {
     int stepsDone() const;
 };
 
-/// `task` as in WizardTask's key.
-QString unfinishedPath(const QString& calibration_folder, const QString& task);
+/// `task` as in WizardTask's key, `serial` of the suit's driver box. Empty: what was kept last of any suit.
+QString unfinishedPath(const QString& calibration_folder, const QString& task, const QString& serial);
 
 /// Whatever happens later, this much is there.
 Status writeUnfinished(const QString& path, const QString& task, const UnfinishedCalibration& unfinished);

@@ -37,7 +37,11 @@ WizardRun::WizardRun(CaptureContext& capture, WizardTask task, QObject* parent)
         connect(&worn.suit, &LiveSuit::evidenceRecorded, this, &WizardRun::kept);
     });
     connect(&capture.suits(), &LiveSuits::currentChanged, this, &WizardRun::leaveSuit);
-    capture.suits().follow(&LiveSuit::phaseChanged, this, &WizardRun::changed);
+    capture.suits().follow(&LiveSuit::phaseChanged, this, [this] {
+        if (phase_ == Phase::kIntro)
+            followBox();
+        emit changed();
+    });
     capture.suits().follow(&LiveSuit::wearingChanged, this, &WizardRun::followWearing);
     capture.suits().follow(&CalibrationShelf::changed, this, &WizardRun::changed);
     connect(&capture.shared().session(), &SessionModel::opened, this, [this] {
@@ -46,6 +50,7 @@ WizardRun::WizardRun(CaptureContext& capture, WizardTask task, QObject* parent)
         emit changed();
     });
     restore();
+    followBox();
 }
 
 WizardRun::~WizardRun() {
@@ -109,6 +114,7 @@ int WizardRun::sampleRate_hz() const {
 
 /// The suit as it is now, with what was taken of its boards before.
 void WizardRun::watch() {
+    followBox();
     std::set<std::string> skipped;
     for (int board = 0; guide_ && board < static_cast<int>(suit_.boards.size()); ++board)
         if (guide_->isSkipped(board))
@@ -130,6 +136,19 @@ void WizardRun::watch() {
                 guide_->setDone(*step, board);
         return false;
     });
+    if (unfinished_.started_utc.isEmpty())
+        unfinished_.started_utc = QString::fromStdString(capture_.shared().parts().utc_now());
+}
+
+/// What was taken of one suit says nothing of another one, whose own steps are looked up.
+void WizardRun::followBox() {
+    const QString serial = capture_.suit().serial();
+    if (serial.isEmpty() || serial == of_suit_)
+        return;
+    of_suit_ = serial;
+    guide_.reset();
+    field_path_.clear();
+    restore();
 }
 
 /// By its label where steps have one: a file of distances may have been changed since.
@@ -149,18 +168,19 @@ void WizardRun::followWearing() {
     emit changed();
 }
 
-/// What was taken of one suit says nothing of another one that is looked at now.
+/// Another one is looked at now.
 void WizardRun::leaveSuit() {
     trouble_.clear();
-    if (phase_ == Phase::kIntro)
-        return emit changed();
-    if (job_)
-        job_->cancel();
-    ++solving_;
-    guide_.reset();
-    result_.reset();
-    forget();
-    setPhase(Phase::kIntro);
+    if (phase_ != Phase::kIntro) {
+        if (job_)
+            job_->cancel();
+        ++solving_;
+        guide_.reset();
+        result_.reset();
+        phase_ = Phase::kIntro;
+    }
+    followBox();
+    emit changed();
 }
 
 void WizardRun::begin() {
@@ -171,8 +191,6 @@ void WizardRun::begin() {
     saved_file_.clear();
     watch();
     since_begin_.start();
-    if (unfinished_.started_utc.isEmpty())
-        unfinished_.started_utc = QString::fromStdString(capture_.shared().parts().utc_now());
     setPhase(Phase::kGuiding);
     if (guide_->isFinished())
         solveNow();

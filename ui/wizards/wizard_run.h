@@ -115,6 +115,7 @@ private:
     void watch();
     std::optional<int> stepShownBy(const WizardEvidence& part) const;
     void followWearing();
+    void followBox();
     void leaveSuit();
     int sampleRate_hz() const;
     void look();
@@ -156,6 +157,7 @@ private:
     QElapsedTimer since_begin_;
     std::optional<CalibrationResult> result_;
     QString trouble_;
+    QString of_suit_;  ///< serial number of the box whose steps are kept; empty before one is connected
     QPointer<Job> job_;
     int solving_ = 0;  ///< what jobs of an earlier one bring is void
     QString saved_file_;

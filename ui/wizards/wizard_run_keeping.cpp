@@ -29,7 +29,7 @@ QString WizardRun::statePath() const {
     return capture_.shared().session().isOpen()
                ? unfinishedPath(QString::fromStdString(
                                     capture_.shared().session().session().calibrationFolder().string()),
-                                keyOf(task_))
+                                keyOf(task_), of_suit_)
                : QString();
 }
 

@@ -67,6 +67,23 @@ TEST_F(EvaluateTake, DriftIsCountedOnTheClockOfTheSuit) {
     EXPECT_NE(drift().find("1.5 minutes"), std::string::npos) << drift();
 }
 
+/// Poses, references and holes are on the take's clock, so pulses and the share that was compared are too.
+TEST_F(EvaluateTake, ABoxThatBeganLateIsReportedOnTheTakesClock) {
+    addRuns("mine");
+    const ReportData prompt = evaluate();
+    runSql(path(),
+           "UPDATE suit SET clock_offset_ns=7e9;"
+           "INSERT INTO marker(sample,kind,label) VALUES(0,'rest','begin'),(75000,'rest','end')");
+    const ReportData late = evaluate();
+    EXPECT_DOUBLE_EQ(late.take.begin_s, 7);
+    EXPECT_DOUBLE_EQ(late.take.rest_s, 7.5);
+    EXPECT_NEAR(late.take.afterRest_s(), prompt.take.duration_s - 0.5, 1e-9);
+    EXPECT_FLOAT_EQ(late.pairs[0].pulses[100].time_s, 7 + prompt.pairs[0].pulses[100].time_s);
+    ASSERT_EQ(late.support.size(), prompt.support.size());
+    for (size_t j = 0; j < late.support.size(); ++j)
+        EXPECT_NEAR(late.support[j].ranges, prompt.support[j].ranges, 0.02) << late.support[j].joint;
+}
+
 TEST_F(EvaluateTake, PulsesHaveTheirFates) {
     addRuns("mine");
     const ReportData data = evaluate();

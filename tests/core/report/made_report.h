@@ -104,20 +104,19 @@ inline std::vector<ReportBoard> madeBoards(double seconds) {
 
 inline ReportData madeReport(double seconds) {
     ReportData data;
-    data.take = {"boxer_001",
-                 "/tmp/boxer_001.noctule",
-                 "8a1c",
-                 "2026-11-21T09:58:00Z",
-                 "Performer 1",
-                 "default",
-                 "noctule 0.1.0",
-                 "signal",
-                 seconds,
-                 3,
-                 150000,
-                 "simulated",
-                 "",
-                 {"Second round is the good one."}};
+    data.take = {.name = "boxer_001",
+                 .file = "/tmp/boxer_001.noctule",
+                 .uuid = "8a1c",
+                 .created_utc = "2026-11-21T09:58:00Z",
+                 .performer = "Performer 1",
+                 .actor_name = "default",
+                 .software = "noctule 0.1.0",
+                 .duration_s = seconds,
+                 .rest_s = 3,
+                 .sample_rate_hz = 150000,
+                 .reference_kind = "simulated",
+                 .reference_name = "",
+                 .notes = {"Second round is the good one."}};
     const TimedMotion reference = bodyMotion(seconds, 0, 0);
     const struct {
         const char* sensors;

@@ -241,7 +241,9 @@ TEST(JointSupport, ARangeBacksTheJointsBetweenItsEnds) {
     ReportPair pair{0, 0, {}};  // chest to left hand, used in the first half of ten seconds
     for (int i = 0; i < 10; ++i)
         pair.pulses.push_back({0.5f * static_cast<float>(i), PulseFate::kUsed, 1, 1, 0});
-    const auto support = jointSupport(defaultActor().skeleton, suit, {pair}, {1.0, 0.5}, 10, 0, 0.6);
+    ReportTake take;
+    take.duration_s = 10;
+    auto support = jointSupport(defaultActor().skeleton, suit, {pair}, {1.0, 0.5}, take, 0.6);
     const auto of = [&](const std::string& name) {
         return *std::find_if(support.begin(), support.end(),
                              [&](const JointSupport& s) { return s.joint == name; });
@@ -256,6 +258,13 @@ TEST(JointSupport, ARangeBacksTheJointsBetweenItsEnds) {
     EXPECT_EQ(of("Spine").inertia, 1);
     EXPECT_EQ(of("RightArm").alone(), 1);
     EXPECT_EQ(support.size(), 17u);
+
+    take.begin_s = 3;  // another box began first
+    for (PulseAtBoard& pulse : pair.pulses)
+        pulse.time_s += 3;
+    support = jointSupport(defaultActor().skeleton, suit, {pair}, {1.0, 0.5}, take, 0.6);
+    EXPECT_NEAR(of("LeftArm").ranges, 0.51, 0.01);
+    EXPECT_NEAR(of("LeftArm").lost_from_s.value_or(0), 3 + 5.1, 0.1);
 }
 
 TEST(SvgPlot, DecimationKeepsExtremesAndBreaksAtHoles) {

@@ -107,7 +107,7 @@ TEST_F(TakeVerdictTest, TellsFromWhenAJointWasLessCertain) {
     }
     ASSERT_GE(hand, 0);
     report_.support = jointSupport(skeleton_, suit_, report_.pairs,
-                                   std::vector<double>(suit_.boards.size(), 1.0), kDuration_s, 0);
+                                   std::vector<double>(suit_.boards.size(), 1.0), report_.take);
     const TakeVerdict verdict = this->verdict();
     EXPECT_EQ(verdict.grade, Grade::kUsable);
     EXPECT_EQ(verdict.reasons, std::vector{VerdictReason::kSupport});

@@ -8,6 +8,7 @@
 #include "ui/views/connect/suit_switch.h"
 #include "ui/widgets/button.h"
 #include "ui/wizards/calibrate_page.h"
+#include "ui/wizards/unfinished_calibration.h"
 #include "ui/wizards/wizard_page.h"
 
 namespace noctule::ui {
@@ -66,6 +67,32 @@ TEST_F(CalibrateTwoSuits, WhatAWizardHasTakenIsNotLostByLookingAtTheOther) {
     page().closeWizard();
     performer(0).click();
     EXPECT_EQ(&studio_->suits().current(), studio_->suits().connected()[0]);
+}
+
+TEST_F(CalibrateTwoSuits, StepsOfAnUnfinishedCalibrationAreThoseOfTheirSuit) {
+    const QString folder = QString::fromStdString(studio_->session().session().calibrationFolder().string());
+    const QString take = folder + "/evidence/accelerometers_1_001.noctule";
+    QDir().mkpath(folder + "/evidence");
+    ASSERT_TRUE(QFile::copy(NOCTULE_TEST_DATA "/takes/tiny_take.noctule", take));
+    UnfinishedCalibration unfinished;
+    unfinished.started_utc = "2026-03-01T10:00:00Z";
+    unfinished.evidence = {{take, 0, {}, {studio_->suit().suit().boards.front().id}}};
+    ASSERT_TRUE(
+        writeUnfinished(unfinishedPath(folder, "accelerometers", "NB-000001"), "accelerometers", unfinished));
+    EXPECT_EQ(unfinishedPath(folder, "accelerometers", ""),
+              unfinishedPath(folder, "accelerometers", "NB-000001"));
+    EXPECT_TRUE(unfinishedPath(folder, "gyroscopes", "").isEmpty());
+    page().open(WizardTask::kAccelerometers);
+    WizardRun& run = *page().wizard().run();
+    EXPECT_FALSE(run.isUnfinished()) << "Bob's";
+    performer(0).click();
+    EXPECT_TRUE(run.isUnfinished()) << "Ann's";
+    EXPECT_EQ(run.unfinished().stepsDone(), 1);
+    performer(1).click();
+    EXPECT_FALSE(run.isUnfinished());
+    run.begin();
+    EXPECT_FALSE(run.guide()->isDone(0));
+    EXPECT_TRUE(QFile::exists(take));
 }
 
 }  // namespace

@@ -101,6 +101,15 @@ TEST_F(Language, KeysAreThoseOfAGermanKeyboard) {
     EXPECT_EQ(keysText(QKeySequence("Ctrl+Shift+Z")), "Strg+Umschalt+Z");
 }
 
+TEST_F(Language, ASessionMadeByDateHasAPerformerInTheOperatorsLanguage) {
+    choose("de");
+    studio_->session().close();
+    ASSERT_TRUE(studio_->session().makeSure());
+    EXPECT_EQ(studio_->session().session().current_performer, "Darsteller 1");
+    ASSERT_EQ(studio_->session().session().performers.size(), 1u);
+    EXPECT_EQ(studio_->session().session().performers[0].name, "Darsteller 1");
+}
+
 TEST_F(Language, EveryPageSpeaksGerman) {
     studio_->jobs().clearEnded();  // what was said before stays as it was said
     choose("de");

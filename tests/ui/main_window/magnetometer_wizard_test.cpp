@@ -139,9 +139,11 @@ TEST_P(WizardsInTheWindow, MagnetometersBeingTurned) {
         unfinished.evidence.push_back(part);
     }
     unfinished.share = 0.8;
-    ASSERT_TRUE(writeUnfinished(unfinishedPath(session + "/calibration", "magnetometers"), "magnetometers",
-                                unfinished));
     connectBag();
+    const QString serial = studio_->suit().serial();
+    ASSERT_FALSE(serial.isEmpty());
+    ASSERT_TRUE(writeUnfinished(unfinishedPath(session + "/calibration", "magnetometers", serial),
+                                "magnetometers", unfinished));
     window_->goTo(Step::kCalibrate);
     page().open(WizardTask::kMagnetometers);
     wizardIsWhole("magnetometers kept");

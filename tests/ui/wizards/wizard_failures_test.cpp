@@ -149,7 +149,8 @@ TEST_F(WizardFailures, ADamagedRecordOfAnUnfinishedCalibrationDoesNoHarm) {
     ASSERT_TRUE(studio_->session().create(folder_.filePath("one"), "one"));
     for (const char* text : {"", "{", "[]", R"({"evidence": 3})", R"({"started_utc": 1, "evidence": []})",
                              R"({"evidence": [{"file": "../session.json", "step": -4, "boards": ["x"]}]})"}) {
-        std::ofstream(folder_.filePath("one/calibration/gyroscopes.unfinished.json").toStdString()) << text;
+        std::ofstream(folder_.filePath("one/calibration/gyroscopes.NB-1.unfinished.json").toStdString())
+            << text;
         page_->open(WizardTask::kGyroscopes);
         EXPECT_FALSE(run().isUnfinished()) << text;
     }

@@ -89,7 +89,7 @@ void AssignPanel::showPerformers() {
     performers_->clear();
     const SessionModel& model = capture_.shared().session();
     if (!model.isOpen()) {
-        performers_->addItem(tr("Performer 1"));
+        performers_->addItem(SessionModel::firstPerformer());
         performers_->setEnabled(false);
         measures_->setText(tr("Performers belong to a session. The first take makes one by date."));
         return;

@@ -90,7 +90,7 @@ void NewSessionDialog::buildFields(QVBoxLayout& column) {
     folder_->setAccessibleName(tr("Folder"));
     rows->addHint(tr("Takes, calibration and exports go in here. The folder can be copied and moved."));
 
-    performer_ = new QLineEdit(tr("Performer 1"));
+    performer_ = new QLineEdit(SessionModel::firstPerformer());
     rows->addRow(tr("Performer"), performer_);
     height_ = new QDoubleSpinBox;
     height_->setRange(kLowest_m, kHighest_m);
