@@ -42,7 +42,6 @@ package_needs=(
 )
 tests_need=(
     ccache clang-format
-    lld                  # links the many programs of tests faster
     xvfb                 # a screen for the studio's tests
     xauth                # xvfb-run needs it
     libgtest-dev         # GTest

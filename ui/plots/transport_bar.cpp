@@ -18,8 +18,7 @@ namespace {
 
 constexpr std::array kSpeeds{-1., 0.1, 0.25, 0.5, 1., 2., 4.};
 
-// Widths from which words fit, pixels at 100 percent.
-constexpr double kLeastBarWidth = 540, kWithWords = 670, kWithSpeedLabel = 700, kWithLength = 830;
+constexpr double kLeastBarWidth = 540;  // pixels at 100 percent: there without words
 
 QString speedText(double speed) {
     return QCoreApplication::translate("TransportBar", "%1×", "speed of playback")
@@ -116,18 +115,23 @@ void TransportBar::refreshRange() {
     fitWords();
 }
 
+/// As many words as have room: first the length goes, then the label of the speed, then those on buttons.
 void TransportBar::fitWords() {
     const TimeCursor& time = review_.time();
-    const auto fits = [this](double at_100_percent) { return width() >= Theme::get().px(at_100_percent); };
-    length_->setVisible(fits(kWithLength));
-    speed_label_->setVisible(fits(kWithSpeedLabel));
     const QString in = timeText(time.in(), 2), out = timeText(time.out(), 2);
-    in_->setText(fits(kWithWords) ? tr("In %1").arg(in) : in);
-    out_->setText(fits(kWithWords) ? tr("Out %1").arg(out) : out);
     in_->setAccessibleName(tr("In %1").arg(in));
     out_->setAccessibleName(tr("Out %1").arg(out));
-    marker_->setText(fits(kWithWords) ? tr("Marker") : QString());
     marker_->setAccessibleName(tr("Marker"));
+    for (int words = 3; words >= 0; --words) {
+        length_->setVisible(words > 2);
+        speed_label_->setVisible(words > 1);
+        in_->setText(words > 0 ? tr("In %1").arg(in) : in);
+        out_->setText(words > 0 ? tr("Out %1").arg(out) : out);
+        marker_->setText(words > 0 ? tr("Marker") : QString());
+        layout()->invalidate();
+        if (layout()->totalMinimumSize().width() <= width())
+            break;
+    }
 }
 
 void TransportBar::resizeEvent(QResizeEvent*) {

@@ -3,6 +3,7 @@
 
 #include <QAccessible>
 #include <QSignalSpy>
+#include <QTranslator>
 
 #include "tests/ui/plots/plots_fixture.h"
 #include "ui/plots/time_ruler.h"
@@ -83,6 +84,34 @@ TEST_F(TimelineTest, APressOnAGripAloneMovesNothing) {
     time().setRange(0.5, 1.5);
     QTest::mouseClick(timeline_.get(), Qt::LeftButton, {}, timeline_->inGrip() + QPoint(2, 0));
     EXPECT_DOUBLE_EQ(time().in(), 0.5);
+}
+
+/// "Anfang 0:00,00" is longer than "In 0:00.00": what fits is measured.
+TEST_F(TimelineTest, TheBarBelowSaysAsMuchAsHasRoomInEveryLanguage) {
+    QTranslator german;
+    ASSERT_TRUE(german.load(":/translations/noctule_de.qm"));
+    for (const bool in_german : {false, true}) {
+        if (in_german)
+            QCoreApplication::installTranslator(&german);
+        TransportBar bar(*studio_, *timeline_);
+        bar.show();
+        int most = 0;
+        for (int width = 540; width <= 1000; width += 3) {
+            bar.resize(width, bar.sizeHint().height());
+            QCoreApplication::processEvents();
+            int shown = 0;
+            for (const QWidget* part : bar.findChildren<QWidget*>({}, Qt::FindDirectChildrenOnly))
+                if (part->isVisible()) {
+                    ++shown;
+                    EXPECT_GE(part->width(), part->minimumSizeHint().width())
+                        << width << " px: " << part->accessibleName().toStdString();
+                }
+            EXPECT_GE(shown, most) << width;
+            most = shown;
+        }
+        EXPECT_EQ(most, 10) << "with the length and the label of the speed";
+    }
+    QCoreApplication::removeTranslator(&german);
 }
 
 TEST_F(TimelineTest, KeysStepFramesAndSeconds) {

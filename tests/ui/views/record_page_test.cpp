@@ -44,7 +44,10 @@ namespace {
 using noctule::test::TestBox;
 using State = RecordRun::State;
 
-const TestBox::Options kLooping{.loops = true};
+/// No constant: its take is one of another file, which may not be there yet.
+TestBox::Options looping() {
+    return {.loops = true};
+}
 
 class RecordPageTest : public testing::Test {
 protected:
@@ -109,7 +112,7 @@ TEST_F(RecordPageTest, WithoutASuitItSaysSoAndShowsTheWays) {
 }
 
 TEST_F(RecordPageTest, SpaceRecordsAndStopsAndTheTakeOpensInReview) {
-    TestBox box(kLooping);
+    TestBox box(looping());
     openSession();
     ASSERT_TRUE(connectTo(box));
     EXPECT_TRUE(page_->showsSuit());
@@ -140,7 +143,7 @@ TEST_F(RecordPageTest, AnotherProgramBeginsAndEndsATakeOrIsToldWhyNot) {
     run().beginFromElsewhere("dance", {});
     ASSERT_EQ(failed.count(), 1);
     EXPECT_EQ(failed[0][1].toString(), "No suit is connected. Connect one first.");
-    TestBox box(kLooping);
+    TestBox box(looping());
     openSession();
     ASSERT_TRUE(connectTo(box));
     run().setCountdownSeconds(10);
@@ -169,7 +172,7 @@ TEST_F(RecordPageTest, ThePreRollIsRememberedAndSeen) {
 }
 
 TEST_F(RecordPageTest, RecordingWellNeedsACalibration) {
-    TestBox box(kLooping);
+    TestBox box(looping());
     openSession();
     RecordReadiness& readiness = page_->readiness();
     ASSERT_TRUE(connectTo(box));
@@ -182,7 +185,7 @@ TEST_F(RecordPageTest, RecordingWellNeedsACalibration) {
 }
 
 TEST_F(RecordPageTest, RecordingWithoutACalibrationSaysSo) {
-    TestBox box(kLooping);
+    TestBox box(looping());
     openSession();
     RecordReadiness& readiness = page_->readiness();
     run().setOpensReview(false);
@@ -201,7 +204,7 @@ TEST_F(RecordPageTest, RecordingWithoutACalibrationSaysSo) {
 }
 
 TEST_F(RecordPageTest, ATakeBeginsWithThePreRoll) {
-    TestBox box(kLooping);
+    TestBox box(looping());
     openSession();
     ASSERT_TRUE(connectTo(box, 0));
     run().setPreRollSeconds(2);
@@ -215,7 +218,7 @@ TEST_F(RecordPageTest, ATakeBeginsWithThePreRoll) {
 }
 
 TEST_F(RecordPageTest, AfterStopItStaysWhenTheOperatorWantsItSo) {
-    TestBox box(kLooping);
+    TestBox box(looping());
     openSession();
     ASSERT_TRUE(connectTo(box));
     run().setOpensReview(false);
@@ -228,7 +231,7 @@ TEST_F(RecordPageTest, AfterStopItStaysWhenTheOperatorWantsItSo) {
 }
 
 TEST_F(RecordPageTest, TheCountdownCountsAndEscEndsIt) {
-    TestBox box(kLooping);
+    TestBox box(looping());
     openSession();
     ASSERT_TRUE(connectTo(box));
     run().setCountdownSeconds(3);
@@ -249,7 +252,7 @@ TEST_F(RecordPageTest, TheCountdownCountsAndEscEndsIt) {
 }
 
 TEST_F(RecordPageTest, TheVoiceCountsAndSaysStartAndStopUnlessItIsOff) {
-    TestBox box(kLooping);
+    TestBox box(looping());
     openSession();
     ASSERT_TRUE(connectTo(box));
     QStringList said;
@@ -270,7 +273,7 @@ TEST_F(RecordPageTest, TheVoiceCountsAndSaysStartAndStopUnlessItIsOff) {
 }
 
 TEST_F(RecordPageTest, LeavingThePageEndsACountdownButNotATake) {
-    TestBox box(kLooping);
+    TestBox box(looping());
     openSession();
     ASSERT_TRUE(connectTo(box));
     run().setCountdownSeconds(10);
@@ -288,7 +291,7 @@ TEST_F(RecordPageTest, LeavingThePageEndsACountdownButNotATake) {
 }
 
 TEST_F(RecordPageTest, MarkersAndNotesAreListedAndInTheTake) {
-    TestBox box(kLooping);
+    TestBox box(looping());
     openSession();
     ASSERT_TRUE(connectTo(box));
     run().setOpensReview(false);
@@ -327,7 +330,7 @@ TEST_F(RecordPageTest, MarkersAndNotesAreListedAndInTheTake) {
 }
 
 TEST_F(RecordPageTest, TheNameIsTypedOnceAndCountsByItself) {
-    TestBox box(kLooping);
+    TestBox box(looping());
     openSession();
     ASSERT_TRUE(connectTo(box));
     run().setOpensReview(false);
@@ -345,7 +348,7 @@ TEST_F(RecordPageTest, TheNameIsTypedOnceAndCountsByItself) {
 }
 
 TEST_F(RecordPageTest, TheShotListCountsAndGoesOn) {
-    TestBox box(kLooping);
+    TestBox box(looping());
     openSession();
     ASSERT_TRUE(connectTo(box));
     run().setOpensReview(false);
@@ -379,7 +382,7 @@ TEST_F(RecordPageTest, TheShotListCountsAndGoesOn) {
 }
 
 TEST_F(RecordPageTest, ABrokenLinkIsNamedWhenTheButtonIsPressed) {
-    TestBox box(kLooping);
+    TestBox box(looping());
     openSession();
     ASSERT_TRUE(connectTo(box));
     box.freeze(true);
@@ -397,7 +400,7 @@ TEST_F(RecordPageTest, ABrokenLinkIsNamedWhenTheButtonIsPressed) {
 }
 
 TEST_F(RecordPageTest, ShowsLevelsPairsAndReadiness) {
-    TestBox box(kLooping);
+    TestBox box(looping());
     openSession();
     ASSERT_TRUE(connectTo(box));
     LevelsPanel& levels = page_->center().levels();
