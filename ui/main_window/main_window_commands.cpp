@@ -175,7 +175,7 @@ void MainWindow::showPreferences() {
 void MainWindow::offerTour() {
     if (Tour::isDue(studio_.settings()))
         notices_->add(
-            {Tone::kOk,
+            {Tone::kNeutral,
              tr("New to Noctule?"),
              tr("A tour of the five steps takes two minutes. It can be left at any time, and it is always "
                 "under Help."),

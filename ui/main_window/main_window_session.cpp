@@ -215,7 +215,7 @@ void MainWindow::onTakeOpened() {
     if (!open || (studio_.session().isOpen() && studio_.session().currentTake() >= 0))
         return;
     notices_->add(
-        {Tone::kOk, tr("%1 belongs to no session").arg(QFileInfo(take.path()).completeBaseName()),
+        {Tone::kNeutral, tr("%1 belongs to no session").arg(QFileInfo(take.path()).completeBaseName()),
          tr("It can be seen, processed and exported as it is. Ratings, notes and performers are kept in a "
             "session."),
          tr("Import into a session"),

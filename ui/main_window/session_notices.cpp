@@ -66,7 +66,7 @@ void SessionNotices::tellMarker(SessionMarker::Finding finding) {
             tr("Takes can be reviewed and exported to another place; ratings, notes and results cannot be "
                "kept. Copy the folder to where you may write.");
     } else if (finding == SessionMarker::Finding::kLeftBehind) {
-        notice.tone = Tone::kOk;
+        notice.tone = Tone::kNeutral;
         notice.title = tr("“%1” was not closed last time").arg(name);
         notice.text =
             tr("The studio ended unexpectedly. All %n take(s) were looked at again; changes were kept up to "

@@ -19,7 +19,7 @@ class ToolButton;
 class ProblemCard : public QWidget {
     Q_OBJECT
 public:
-    /// `tone` is kWarn or kError, or kOk for a notice.
+    /// `tone` is kWarn or kError; kOk for what went well, kNeutral for what asks or informs.
     ProblemCard(Tone tone, const QString& title, const QString& text, QWidget* parent = nullptr);
 
     void setTexts(const QString& title, const QString& text);

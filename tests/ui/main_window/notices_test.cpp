@@ -4,6 +4,11 @@
 
 #include "tests/devices/support/test_box.h"
 #include "tests/ui/main_window/studio_fixture.h"
+#include "ui/style/theme.h"
+#include "ui/views/session/big_button.h"
+#include "ui/views/session/start_page.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/problem_card.h"
 
 namespace noctule::ui {
 namespace {
@@ -124,6 +129,54 @@ TEST_F(NoticesTest, OfFilesTheLatestIsTold) {
     EXPECT_EQ(told(), QStringList{"two.csv could not be written"});
     studio_->sayOfFile("two.csv is written.");
     EXPECT_EQ(told(), QStringList());
+}
+
+TEST_F(NoticesTest, AQuestionIsNoSuccess) {
+    window_->offerTour();
+    auto* card = window_->notices().findChild<ProblemCard*>();
+    ASSERT_TRUE(card);
+    const QColor stripe = card->grab().toImage().pixelColor(1, card->height() / 2);
+    EXPECT_EQ(stripe.name(), colorOf(Tone::kNeutral).name());
+    EXPECT_NE(stripe.name(), Theme::get().tokens().ok.name());
+}
+
+TEST_F(NoticesTest, NothingOfOneSessionIsToldInAnother) {
+    ASSERT_TRUE(studio_->session().create(home() + "-first", "first"));
+    for (const About about : {About::kSession, About::kTakes, About::kCapture, About::kSuit, About::kTake,
+                              About::kProcess, About::kFile}) {
+        const QString which = QString::number(static_cast<int>(about));
+        emit studio_->failed("Failed " + which, "Do something", about);
+        emit studio_->warned("Warned " + which + ". Know it.", about);
+    }
+    ASSERT_FALSE(told().isEmpty());
+    ASSERT_TRUE(studio_->session().create(home() + "-second", "second"));
+    EXPECT_EQ(told(), QStringList());
+}
+
+TEST_F(NoticesTest, AfterTryItTheKeyboardStaysOnThePage) {
+    auto& page = dynamic_cast<StartPage&>(window_->page(Step::kStart));
+    window_->activateWindow();
+    page.tryButton()->setFocus();
+    QTest::mouseClick(page.tryButton(), Qt::LeftButton);
+    EXPECT_EQ(window_->focusWidget(), &page);
+    EXPECT_TRUE(waitFor([this] { return studio_->take().isOpen() && studio_->jobs().idle(); }));
+}
+
+TEST_F(NoticesTest, ATakeInTheTrashIsToldWithUndo) {
+    openSampleTake();
+    ASSERT_TRUE(waitFor([this] { return studio_->jobs().idle(); }));
+    studio_->session().trashTake(0);
+    ASSERT_EQ(told(), QStringList{"sample_001 was moved to the trash"});
+    EXPECT_EQ(studio_->session().session().findTake("sample_001"), -1);
+    Button* undo = nullptr;
+    for (auto* button : window_->notices().findChildren<Button*>())
+        if (button->text() == "Undo")
+            undo = button;
+    ASSERT_TRUE(undo);
+    QTest::mouseClick(undo, Qt::LeftButton);
+    EXPECT_GE(studio_->session().session().findTake("sample_001"), 0);
+    EXPECT_EQ(told(), QStringList());
+    EXPECT_TRUE(waitFor([this] { return studio_->jobs().idle(); }));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "tests/core/session/session_folder.h"
 #include "tests/ui/main_window/studio_fixture.h"
+#include "ui/style/theme.h"
 #include "ui/views/session/recent_sessions.h"
 #include "ui/views/session/session_list.h"
 #include "ui/views/session/start_page.h"
@@ -134,6 +135,10 @@ TEST_F(Recovery, TheStartPageRecoversATake) {
         << "nothing is offered that is being done, and nothing reads the file that is replaced";
     studio_->session().close();
     EXPECT_EQ(cardsAfterALook(), QStringList{"Take fall_001 was recovered"});
+    ProblemCard& card = *startPage().problemCards().first();
+    EXPECT_EQ(card.grab().toImage().pixelColor(1, card.height() / 2).name(), Theme::get().tokens().ok.name())
+        << "it went well";
+    EXPECT_FALSE(stateWords(startPage().sessionList().sessions().at(0)).state.contains("interrupted"));
 }
 
 TEST_F(Recovery, WhatAnotherProgramRecordsIsNotOffered) {
