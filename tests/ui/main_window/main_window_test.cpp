@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QLineEdit>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QRegularExpression>
@@ -19,6 +21,9 @@
 #include "ui/views/connect/body_map.h"
 #include "ui/views/connect/connect_page.h"
 #include "ui/views/page.h"
+#include "ui/views/performer/length_field.h"
+#include "ui/views/performer/performer_measures_panel.h"
+#include "ui/views/performer/performer_page.h"
 #include "ui/views/session/start_page.h"
 #include "ui/widgets/scroll_area.h"
 #include "ui/widgets/step_bar.h"
@@ -170,6 +175,25 @@ TEST_F(MainWindowTest, ClosingNamesRunningJobsAndAsks) {
     answerClosing(*window_, "Cancel jobs and close");
     EXPECT_FALSE(window_->isVisible());
     EXPECT_TRUE(waitFor([&] { return job->state() == Job::State::kCancelled; }));
+}
+
+TEST_F(MainWindowTest, CtrlZTakesBackWhatWasTypedAFieldBefore) {
+    ASSERT_TRUE(studio_->session().create(home() + "-typed", "typed"));
+    window_->goTo(Step::kPerformer);
+    window_->activateWindow();
+    PerformerMeasuresPanel& measures =
+        dynamic_cast<PerformerPage&>(window_->page(Step::kPerformer)).measures();
+    const auto height_m = [this] { return studio_->session().session().performers.at(0).measures.height_m; };
+    const double before_m = height_m();
+    measures.height().setFocus();
+    measures.height().selectAll();
+    QTest::keyClicks(&measures.height(), "190");
+    QLineEdit* next = measures.field(&BodyMeasures::forearm_m).edit();
+    next->setFocus();
+    ASSERT_EQ(window_->focusWidget(), next);
+    ASSERT_DOUBLE_EQ(height_m(), 1.9);
+    QTest::keyClick(next, Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_DOUBLE_EQ(height_m(), before_m);
 }
 
 TEST_F(MainWindowTest, F6WalksThePanels) {

@@ -32,6 +32,11 @@ TEST_F(WizardFlow, Accelerometers) {
     EXPECT_TRUE(
         QFile::exists(QString::fromStdString(studio_->session().session().calibrationFolder().string()) +
                       "/" + studio_->calibrations().fileInForce().replace(".json", ".html")));
+    // The suit keeps what was found of it.
+    ASSERT_TRUE(studio_->session().create(folder_.filePath("sessions/another"), "another"));
+    ASSERT_TRUE(waitLong([this] { return studio_->calibrations().remembered().has_value(); }));
+    ASSERT_FALSE(inForce().boards.empty());
+    EXPECT_TRUE(in_force_.boards[0].made.contains("accelerometers"));
 }
 
 TEST_F(WizardFlow, Gyroscopes) {
