@@ -27,6 +27,7 @@ struct Error {
     std::string
         message;         ///< what happened, to which thing by name: "take_001.noctule: no board is described"
     std::string remedy;  ///< what to do about it, one sentence; empty only when cancelled
+    bool is_damage = false;  ///< a take's database is torn: part of it may still be readable
 
     /// "message. remedy" as one line for people.
     std::string text() const { return remedy.empty() ? message : message + ". " + remedy; }

@@ -16,7 +16,8 @@ Error sqliteError(sqlite3* handle, const std::string& name) {
         case SQLITE_CORRUPT:
         case SQLITE_TOOBIG:
             return {ErrorKind::kUnreadable, name + ": the file is damaged" + detail,
-                    "Run `noctule --batch recover` on it, which saves what can be read into a new file"};
+                    "Run `noctule --batch recover` on it, which saves what can be read into a new file",
+                    true};
         case SQLITE_INTERRUPT:
             return JobContext::cancelledError();
         case SQLITE_BUSY:

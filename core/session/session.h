@@ -56,8 +56,11 @@ struct SessionTake {
     double duration_s = 0;
     bool processed = false;
     std::string created_utc;
-    std::string shot;     ///< of the shot list it was recorded for; empty: none
-    std::string problem;  ///< whole sentences; empty: fine
+    std::string shot;      ///< of the shot list it was recorded for; empty: none
+    std::string problem;   ///< whole sentences; empty: fine
+    bool is_torn = false;  ///< damaged, but recoverTake() may find something to read in it
+
+    bool canRecover() const { return state == TakeState::kRecording || is_torn; }
 };
 
 struct Session {

@@ -89,6 +89,7 @@ void refreshTake(const Session& session, SessionTake& take) {
     take.processed = false;
     take.shot.clear();
     take.problem.clear();
+    take.is_torn = false;
     const fs::path path = session.pathOf(take);
     std::error_code ignored;
     if (!fs::exists(path, ignored)) {
@@ -102,6 +103,7 @@ void refreshTake(const Session& session, SessionTake& take) {
     } else {
         take.state = TakeState::kDamaged;
         take.problem = withoutFolder(file.error().text(), session.folder) + ".";
+        take.is_torn = file.error().is_damage;
     }
 }
 
@@ -200,7 +202,7 @@ Status recoverTake(Session& session, const std::string& name, const JobContext& 
     if (index < 0)
         return noSuchTake(name);
     SessionTake& take = session.takes[static_cast<size_t>(index)];
-    if (take.state != TakeState::kRecording)
+    if (!take.canRecover())
         return Error{ErrorKind::kUsage, name + ": is finished already", "There is nothing to recover"};
     const fs::path safe = takePath(session, nextTakeName(session, name + "_recovered"));
     if (const Status recovered = recoverTake(session.pathOf(take).string(), safe.string(), job); !recovered)

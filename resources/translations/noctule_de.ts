@@ -4892,6 +4892,19 @@
         <translation>In eine Sitzung importieren</translation>
     </message>
     <message>
+        <source>%1 is damaged</source>
+        <translation>%1 ist beschädigt</translation>
+    </message>
+    <message>
+        <source>%1 What can be read goes into a new take; the damaged file is kept.</source>
+        <comment>why</comment>
+        <translation>%1 Was sich lesen lässt, kommt in eine neue Aufnahme; die beschädigte Datei bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>Save what can be read</source>
+        <translation>Lesbares sichern</translation>
+    </message>
+    <message>
         <source>Close Noctule</source>
         <translation>Noctule schließen</translation>
     </message>
@@ -10736,6 +10749,10 @@ Drehen, beide Richtungen x3</translation>
     <message>
         <source>Open</source>
         <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Save what can be read</source>
+        <translation>Lesbares sichern</translation>
     </message>
     <message>
         <source>Rating</source>

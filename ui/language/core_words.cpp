@@ -229,9 +229,11 @@ SentencePatterns::Found SentencePatterns::asList(const QString& english, int dep
 }
 
 QString coreWords(const std::string& english) {
-    // "(--rate HZ)": the option of the command line, which no screen has.
+    // "(--rate HZ)" and "Run `noctule --batch inspect` on it": no screen has a command line.
     static const QRegularExpression option(QStringLiteral(" \\([^()]*--[a-z][^()]*\\)"));
-    return onScreen(QString::fromStdString(english)).remove(option);
+    static const QRegularExpression command(
+        QStringLiteral("(?:^|[.;] )[^.;`]*`noctule --batch[^`]*`[^.;]*(?:[.;]$)?"));
+    return onScreen(QString::fromStdString(english).remove(command)).remove(option);
 }
 
 QString coreWords(const Error& error) {

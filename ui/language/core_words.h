@@ -45,7 +45,7 @@ private:
     std::vector<Pattern> patterns_;  ///< the most telling ones first
 };
 
-/// Without what stands in parentheses for the command line alone: "(--rate HZ)".
+/// Without what is meant for the command line alone: "(--rate HZ)", "Run `noctule --batch inspect` on it".
 QString coreWords(const std::string& english);
 /// What happened and what to do about it.
 QString coreWords(const Error& error);

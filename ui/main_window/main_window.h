@@ -96,6 +96,7 @@ private:
     void showSuit();
     void connectNotices();
     void onFailure(const QString& what, const QString& remedy, About about);
+    void onTornTake(const QString& path, const QString& why);
     void onMessage(const QString& message, About about);
     void onWarning(const QString& message, About about);
     void forget(About about);

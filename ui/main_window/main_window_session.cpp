@@ -91,6 +91,7 @@ void MainWindow::connectNotices() {
     connect(&studio_.take(), &TakeDocument::failed, this,
             [this](const QString& message) { onMessage(message, About::kTake); });
     connect(&studio_, &Studio::failed, this, &MainWindow::onFailure);
+    connect(&studio_, &Studio::tornTake, this, &MainWindow::onTornTake);
     connect(&studio_, &Studio::warned, this, &MainWindow::onWarning);
     connect(&studio_, &Studio::settled, this, &MainWindow::forget);
 }
@@ -232,6 +233,18 @@ void MainWindow::onFailure(const QString& what, const QString& remedy, About abo
         forget(about);  // of files the latest counts
     told_[about] += what;
     notices_->add({Tone::kError, what, remedy, {}, {}, {}});
+}
+
+void MainWindow::onTornTake(const QString& path, const QString& why) {
+    const QString title = tr("%1 is damaged").arg(QFileInfo(path).completeBaseName());
+    told_[About::kTake] += title;
+    notices_->add({Tone::kError,
+                   title,
+                   tr("%1 What can be read goes into a new take; the damaged file is kept.", "why")
+                       .arg(why.endsWith('.') ? why : why + '.'),
+                   tr("Save what can be read"),
+                   [this, path] { studio_.saveReadable(path); },
+                   {}});
 }
 
 /// The model words the whole: what happened, what is safe, what to do; its first sentence becomes the title.

@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/models/review_context.h"
 
+#include <QFileInfo>
+#include <QPointer>
+#include <filesystem>
 #include <utility>
+
+#include "core/recording/recover_take.h"
+#include "core/session/take_folder.h"
+#include "ui/language/core_words.h"
 
 namespace noctule::ui {
 
@@ -12,8 +19,10 @@ ReviewContext::ReviewContext(SharedContext& shared)
       markers_(changes_, take_),
       contacts_(changes_, take_, time_) {
     SessionModel& session = shared.session();
-    QObject::connect(&session, &SessionModel::currentTakeChanged, &here_,
-                     [this](int index) { openChosenTake(index); });
+    QObject::connect(&session, &SessionModel::currentTakeChanged, &here_, [this](int index) {
+        openChosenTake(index);
+        tellTorn(index);
+    });
     QObject::connect(&session, &SessionModel::recoveryChanged, &here_, [this, &session](int index) {
         if (index >= 0 && index == session.currentTake())
             openChosenTake(index);
@@ -31,6 +40,51 @@ ReviewContext::ReviewContext(SharedContext& shared)
     QObject::connect(&changes_, &TakeChanges::ordered, &here_,
                      [&shared] { emit shared.settled(About::kTake); });
     QObject::connect(&take_, &TakeDocument::opened, &here_, [this] { followTake(); });
+    QObject::connect(&take_, &TakeDocument::torn, &shared, &SharedContext::tornTake);
+}
+
+/// A damaged take of the session is not opened, so nothing else says why nothing is shown.
+void ReviewContext::tellTorn(int index) {
+    const SessionModel& session = shared_.session();
+    if (index < 0)
+        return;
+    const SessionTake& take = session.session().takes[static_cast<size_t>(index)];
+    if (take.is_torn && !session.isRecovering(take.name))
+        emit shared_.tornTake(session.takePath(index), coreWords(take.problem));
+}
+
+void ReviewContext::saveReadable(const QString& path) {
+    SessionModel& session = shared_.session();
+    const int takes = session.isOpen() ? static_cast<int>(session.session().takes.size()) : 0;
+    for (int take = 0; take < takes; ++take)
+        if (QFileInfo(session.takePath(take)) == QFileInfo(path)) {
+            session.recover(take);
+            return;
+        }
+    emit shared_.settled(About::kTake);
+    const QString name = QFileInfo(path).completeBaseName();
+    shared_.jobs().start<QString>(
+        SessionModel::tr("Recovering %1").arg(name),
+        [path, name](const JobContext& job) -> Result<QString> {
+            const std::filesystem::path folder = QFileInfo(path).absolutePath().toStdString();
+            const std::string copy = nextTakePath(folder, name.toStdString() + "_recovered").string();
+            if (const Status saved = recoverTake(path.toStdString(), copy, job); !saved)
+                return saved.error();
+            return QString::fromStdString(copy);
+        },
+        [here = QPointer(&here_), this, name](Result<QString> copy) -> QString {
+            if (!here || (!copy && copy.error().kind == ErrorKind::kCancelled))
+                return {};
+            if (!copy) {
+                emit shared_.failed(
+                    SessionModel::tr("%1 could not be recovered; its file stays as it is").arg(name),
+                    coreWords(copy.error()), About::kTake);
+                return {};
+            }
+            if (!take_.isOpen())  // else the operator has gone on with another one
+                take_.open(*copy);
+            return SessionModel::tr("%1 is recovered").arg(name);
+        });
 }
 
 /// What went wrong with another take is not of this one.

@@ -26,10 +26,14 @@ public:
     TakeChanges& changes() { return changes_; }
     MarkerEditor& markers() { return markers_; }
     ContactEditor& contacts() { return contacts_; }
+    /// Of a torn take; a job. One of the session is replaced and kept in the trash, of any other a copy is
+    /// made beside it and opened.
+    void saveReadable(const QString& path);
 
 private:
     void openChosenTake(int index);
     void followTake();
+    void tellTorn(int index);
 
     SharedContext& shared_;
     TimeCursor time_;

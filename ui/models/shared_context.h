@@ -93,6 +93,8 @@ signals:
     void failed(const QString& what, const QString& remedy, noctule::ui::About about);
     /// Nothing failed, but it should be known: whole sentences.
     void warned(const QString& what, noctule::ui::About about);
+    /// A take cannot be opened since its database is torn. `why`: a sentence.
+    void tornTake(const QString& path, const QString& why);
     /// What was told of it holds no longer.
     void settled(noctule::ui::About about);
 

@@ -53,6 +53,8 @@ StudioLog::StudioLog(Studio& studio, LogFile& log, QObject* parent)
     connect(&studio.session(), &SessionModel::failed, this, error);
     connect(&studio.session(), &SessionModel::notSaved, this, error);
     connect(&studio.take(), &TakeDocument::failed, this, error);
+    connect(&studio, &Studio::tornTake, this,
+            [this](const QString& path, const QString& why) { log_.write("error", path + " | " + why); });
     connect(&studio.session(), &SessionModel::opened, this, [this] {
         const auto& session = studio_.session();
         log_.write("info",

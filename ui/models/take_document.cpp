@@ -170,9 +170,13 @@ void TakeDocument::accept(TakeOverview overview, bool show_newest) {
 void TakeDocument::refuse(const Error& error) {
     if (error.kind == ErrorKind::kCancelled)
         return;
+    const QString path = path_;
     if (!isOpen())
         path_.clear();
-    emit failed(coreWords(error));
+    if (error.is_damage)
+        emit torn(path, coreWords(error));
+    else
+        emit failed(coreWords(error));
 }
 
 void TakeDocument::setShownRun(int index) {

@@ -109,6 +109,8 @@ signals:
     void processingChanged();
     void opened();  ///< overview is there, or the document was closed
     void failed(const QString& message);
+    /// Instead of failed(): the file is torn, part of it may be readable.
+    void torn(const QString& path, const QString& why);
     void runsChanged();    ///< list or choice
     void motionChanged();  ///< a motion or the contacts have been loaded
     void rangesChanged();

@@ -62,6 +62,10 @@ void TakeList::chooseOpen() {
 
 void TakeList::openTake(int row) {
     const SessionTake& take = takes_->take(row);
+    if (take.is_torn) {
+        emit review_.shared().tornTake(review_.shared().session().takePath(row), coreWords(take.problem));
+        return;
+    }
     if (take.state == TakeState::kDamaged) {
         emit review_.shared().failed(
             tr("%1 cannot be opened: %2").arg(QString::fromStdString(take.name), coreWords(take.problem)),
@@ -131,7 +135,8 @@ void TakeList::showMenu(const QModelIndex& index, const QPoint& global) {
     const int row = index.row();
     menu.addAction(tr("Open"), this, [this, row] { openTake(row); });
     if (canRecover(row))
-        menu.addAction(tr("Recover"), this, [this, row] { review_.shared().session().recover(row); });
+        menu.addAction(takes_->take(row).is_torn ? tr("Save what can be read") : tr("Recover"), this,
+                       [this, row] { review_.shared().session().recover(row); });
     menu.addAction(tr("Rename"), this, [this, row] { rename(row); })->setShortcut(Qt::Key_F2);
     QMenu* rating = menu.addMenu(tr("Rating"));
     for (int stars = 0; stars <= 5; ++stars) {
@@ -160,9 +165,8 @@ void TakeList::showMenu(const QModelIndex& index, const QPoint& global) {
 
 /// What another program has open it may be recording just now.
 bool TakeList::canRecover(int row) const {
-    return takes_->take(row).state == TakeState::kRecording &&
-           !SessionMarker::isOpenElsewhere(
-               QString::fromStdString(review_.shared().session().session().folder.string()));
+    return takes_->take(row).canRecover() && !SessionMarker::isOpenElsewhere(QString::fromStdString(
+                                                 review_.shared().session().session().folder.string()));
 }
 
 void TakeList::showInFolder(int row) {

@@ -121,6 +121,16 @@ TEST_F(CoreWords, StagesOfAJobAreGerman) {
     EXPECT_EQ(coreWords("Preparing the motion").toStdString(), "Bewegung wird vorbereitet");
 }
 
+TEST_F(CoreWords, NoScreenAsksForACommand) {
+    EXPECT_EQ(coreWords(Error{ErrorKind::kUnreadable, "a.b.noctule: xyz",
+                              "Run `noctule --batch recover` on it, which saves what can be read"})
+                  .toStdString(),
+              "a.b.noctule: xyz");
+    EXPECT_EQ(coreWords("xyz; `noctule --batch recover` may save the rest").toStdString(), "xyz");
+    EXPECT_EQ(coreWords("Run `noctule --batch process /a. b/c.noctule` first").toStdString(), "");
+    EXPECT_EQ(coreWords("xyz. Run `noctule --batch recover` on it.").toStdString(), "xyz");
+}
+
 TEST_F(CoreWords, ErrorsOfTheStudioAndReasonsOfTheSystemAreGerman) {
     EXPECT_EQ(coreWords(Error{ErrorKind::kDisk, "/mnt/takes: cannot be made: Permission denied",
                               "Choose another folder for sessions in the preferences"})

@@ -4,8 +4,10 @@
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QFileInfo>
+#include <QLabel>
 #include <QLineEdit>
 #include <QSysInfo>
+#include <algorithm>
 
 #include "core/session/placement.h"
 #include "core/suit/default_suit.h"
@@ -15,6 +17,7 @@
 #include "ui/views/session/recent_sessions.h"
 #include "ui/views/session/session_list.h"
 #include "ui/views/session/start_page.h"
+#include "ui/widgets/button.h"
 
 namespace noctule::ui {
 namespace {
@@ -33,6 +36,17 @@ protected:
         ASSERT_TRUE(marker.open(QIODevice::WriteOnly));
         marker.write(
             QStringLiteral("%1\nnoctule\n%2\n").arg(999'999'999).arg(QSysInfo::machineHostName()).toUtf8());
+    }
+    bool isTold(const QString& words) {
+        const auto labels = window_->notices().findChildren<QLabel*>();
+        return std::ranges::any_of(labels,
+                                   [&](const QLabel* label) { return label->text().contains(words); });
+    }
+    Button* noticeButton(const QString& text) {
+        for (auto* button : window_->notices().findChildren<Button*>())
+            if (button->text() == text)
+                return button;
+        return nullptr;
     }
 };
 
@@ -157,6 +171,48 @@ TEST_F(SessionInWindow, ADamagedTakeIsToldInWords) {
     ASSERT_TRUE(waitFor([this] { return window_->notices().count() > 0; }));
     EXPECT_TRUE(window_->notices().titles().first().contains("broken"))
         << window_->notices().titles().first().toStdString();
+}
+
+/// The whole of the first page but its header.
+void tear(const QString& path) {
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::ReadWrite));
+    file.seek(100);
+    file.write(QByteArray(3996, '\xff'));
+}
+
+TEST_F(SessionInWindow, ADamagedTakeOffersAButtonAndNoShell) {
+    const QString path = folder_.filePath("torn.noctule");
+    ASSERT_TRUE(test::makeQuickTake(path.toStdString(), {}));
+    tear(path);
+    window_->open(path);
+    ASSERT_TRUE(waitFor([this] { return window_->notices().count() > 0; }));
+    EXPECT_EQ(window_->notices().titles(), QStringList{"torn is damaged"});
+    EXPECT_FALSE(isTold("--batch"));
+    Button* save = noticeButton("Save what can be read");
+    ASSERT_TRUE(save);
+    QTest::mouseClick(save, Qt::LeftButton);
+    ASSERT_TRUE(waitFor([this] { return studio_->jobs().idle(); }));
+    EXPECT_TRUE(studio_->take().isOpen() ||
+                window_->notices().titles() ==
+                    QStringList{"torn could not be recovered; its file stays as it is"})
+        << window_->notices().titles().join('\n').toStdString();
+    EXPECT_FALSE(isTold("--batch"));
+    EXPECT_TRUE(QFile::exists(path));
+}
+
+TEST_F(SessionInWindow, ADamagedTakeOfASessionOffersTheSame) {
+    const QString folder = makeSession("Falls");
+    studio_->session().close();
+    const QString path = QDir(folder).filePath("takes/torn_001.noctule");
+    QDir().mkpath(QFileInfo(path).path());
+    ASSERT_TRUE(test::makeQuickTake(path.toStdString(), {}));
+    tear(path);
+    window_->open(folder);
+    ASSERT_TRUE(waitFor([this] { return window_->notices().count() > 0; }));
+    EXPECT_EQ(window_->notices().titles(), QStringList{"torn_001 is damaged"});
+    EXPECT_FALSE(isTold("--batch"));
+    EXPECT_TRUE(noticeButton("Save what can be read"));
 }
 
 }  // namespace
