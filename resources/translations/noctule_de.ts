@@ -2620,8 +2620,8 @@
         <translation>Die neueren Werte sind nicht in Gebrauch</translation>
     </message>
     <message>
-        <source>Nothing moves live and nothing can be processed before the suit is calibrated. Begin with the source offsets, or import its calibration at the left.</source>
-        <translation>Live bewegt sich nichts und nichts kann verarbeitet werden, bevor der Anzug kalibriert ist. Mit dem Quellenversatz beginnen oder links seine Kalibrierung importieren.</translation>
+        <source>Nothing moves live and nothing can be processed before the suit is calibrated. Begin with the source offsets, or import its calibration.</source>
+        <translation>Live bewegt sich nichts und nichts kann verarbeitet werden, bevor der Anzug kalibriert ist. Mit dem Quellenversatz beginnen oder seine Kalibrierung importieren.</translation>
     </message>
     <message>
         <source>There is no calibration to export.</source>
@@ -6403,8 +6403,8 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <translation>Kein Anzug ist verbunden</translation>
     </message>
     <message>
-        <source>Choose a driver box at the left, or start the virtual suit.</source>
-        <translation>Links eine Steuerbox wählen oder den virtuellen Anzug starten.</translation>
+        <source>Choose a driver box, or start the virtual suit.</source>
+        <translation>Eine Steuerbox wählen oder den virtuellen Anzug starten.</translation>
     </message>
     <message>
         <source>Not connected</source>
@@ -8680,8 +8680,8 @@ Median; gut: unter %1</translation>
         <translation>Aufnahme anhalten</translation>
     </message>
     <message>
-        <source>The suit leads. Let the take lead, at the left.</source>
-        <translation>Der Anzug führt. Lassen Sie links die Aufnahme führen.</translation>
+        <source>The suit leads. Let the take lead.</source>
+        <translation>Der Anzug führt. Lassen Sie die Aufnahme führen.</translation>
     </message>
     <message>
         <source>Connect the robot first.</source>
@@ -11618,10 +11618,10 @@ Drehen, beide Richtungen x3</translation>
         <translation>Nichts muss wiederholt werden.</translation>
     </message>
     <message numerus="yes">
-        <source>%n thing(s) to look at, on the right.</source>
+        <source>%n thing(s) to look at.</source>
         <translation>
-            <numerusform>%n Punkt zum Nachsehen, rechts.</numerusform>
-            <numerusform>%n Punkte zum Nachsehen, rechts.</numerusform>
+            <numerusform>%n Punkt zum Nachsehen.</numerusform>
+            <numerusform>%n Punkte zum Nachsehen.</numerusform>
         </translation>
     </message>
     <message>

@@ -711,10 +711,10 @@
 <context>
     <name>noctule::ui::WizardResult</name>
     <message numerus="yes">
-        <source>%n thing(s) to look at, on the right.</source>
+        <source>%n thing(s) to look at.</source>
         <translation>
-            <numerusform>One thing to look at, on the right.</numerusform>
-            <numerusform>%n things to look at, on the right.</numerusform>
+            <numerusform>One thing to look at.</numerusform>
+            <numerusform>%n things to look at.</numerusform>
         </translation>
     </message>
 </context>

@@ -219,7 +219,7 @@ void RobotCenter::showLeader() {
     leaders_->setCurrentWidget(of_take ? take_ : live_);
     play_->setText(drive_.isPlaying() ? tr("Pause the take") : tr("Play the take"));
     play_->setIconName(drive_.isPlaying() ? "pause" : "play");
-    play_->setDisabledBecause(!of_take ? tr("The suit leads. Let the take lead, at the left.")
+    play_->setDisabledBecause(!of_take ? tr("The suit leads. Let the take lead.")
                               : drive_.link() == RobotDrive::Link::kOff ? tr("Connect the robot first.")
                                                                         : drive_.whyNoLeader());
     repeats_->setChecked(drive_.repeats());

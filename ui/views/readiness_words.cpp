@@ -312,7 +312,7 @@ VerdictWords verdictOf(const SuitCheck& check) {
     const Readiness& readiness = check.readiness();
     if (suit.phase() == LiveSuit::Phase::kNone)
         return {Tone::kNeutral, ReadinessText::tr("No suit is connected"),
-                ReadinessText::tr("Choose a driver box at the left, or start the virtual suit.")};
+                ReadinessText::tr("Choose a driver box, or start the virtual suit.")};
     if (suit.phase() == LiveSuit::Phase::kRefused) {
         const auto trouble = suit.status()->trouble;
         return {Tone::kError, ReadinessText::tr("Not connected"),

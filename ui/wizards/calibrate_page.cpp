@@ -333,7 +333,7 @@ void CalibratePage::refresh() {
         verdict_->setVerdict(
             Tone::kWarn, tr("Not calibrated"),
             tr("Nothing moves live and nothing can be processed before the suit is calibrated. "
-               "Begin with the source offsets, or import its calibration at the left."));
+               "Begin with the source offsets, or import its calibration."));
     else if (is_exact)
         verdict_->setVerdict(
             Tone::kOk, tr("Known exactly"),

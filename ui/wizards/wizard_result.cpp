@@ -112,7 +112,7 @@ void WizardResult::fill(const CalibrationDocument& document) {
         is_judged ? toneOfGrade(grade) : Tone::kWarn,
         is_judged ? QStringLiteral("%1. %2.").arg(verdict_, coreWords(document.summary)) : verdict_,
         document.findings.empty() ? tr("Nothing need be repeated.")
-                                  : tr("%n thing(s) to look at, on the right.", nullptr,
+                                  : tr("%n thing(s) to look at.", nullptr,
                                        static_cast<int>(document.findings.size())));
     if (!document.numbers.empty()) {
         auto* numbers = new QWidget;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <QDockWidget>
 #include <QDoubleSpinBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenuBar>
 #include <QMessageBox>
@@ -20,6 +21,7 @@
 #include "ui/style/theme.h"
 #include "ui/views/connect/body_map.h"
 #include "ui/views/connect/connect_page.h"
+#include "ui/views/connect/readiness_panel.h"
 #include "ui/views/page.h"
 #include "ui/views/performer/length_field.h"
 #include "ui/views/performer/performer_measures_panel.h"
@@ -325,6 +327,26 @@ TEST_F(MainWindowTest, FitsTheSmallestScreen) {
         EXPECT_LE(window_->width(), 1280) << "step " << static_cast<int>(step);
         EXPECT_LE(window_->height(), 800) << "step " << static_cast<int>(step);
     }
+}
+
+TEST_F(MainWindowTest, WordsPointToNoDockThatIsAway) {
+    Theme::get().setScale(1.5);
+    window_->resize(1280, 800);
+    const QRegularExpression side("\\b(at|on) the (left|right)\\b");
+    for (const Step step : {Step::kConnect, Step::kCalibrate, Step::kRecord, Step::kRobot}) {
+        window_->goTo(step);
+        ASSERT_TRUE(waitFor([&] { return window_->sideDocks().left().isHidden(); }));
+        for (const QWidget* widget : window_->page(step).findChildren<QWidget*>()) {
+            const auto* label = qobject_cast<const QLabel*>(widget);
+            const QString words = widget->toolTip() + ' ' + (label ? label->text() : QString());
+            EXPECT_FALSE(words.contains(side)) << words.toStdString();
+        }
+    }
+    const auto& connect = dynamic_cast<ConnectPage&>(window_->page(Step::kConnect));
+    const QString verdict = connect.readiness().verdictText();
+    EXPECT_FALSE(verdict.isEmpty());
+    EXPECT_FALSE(verdict.contains(side)) << verdict.toStdString();
+    Theme::get().setScale(1);
 }
 
 TEST_F(MainWindowTest, AFailureIsToldOnceAboveThePage) {

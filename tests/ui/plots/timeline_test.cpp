@@ -3,9 +3,9 @@
 
 #include <QAccessible>
 #include <QSignalSpy>
-#include <QTranslator>
 
 #include "tests/ui/plots/plots_fixture.h"
+#include "ui/language/language.h"
 #include "ui/plots/time_ruler.h"
 #include "ui/plots/transport_bar.h"
 #include "ui/widgets/name_field.h"
@@ -88,11 +88,9 @@ TEST_F(TimelineTest, APressOnAGripAloneMovesNothing) {
 
 /// "Anfang 0:00,00" is longer than "In 0:00.00": what fits is measured.
 TEST_F(TimelineTest, TheBarBelowSaysAsMuchAsHasRoomInEveryLanguage) {
-    QTranslator german;
-    ASSERT_TRUE(german.load(":/translations/noctule_de.qm"));
-    for (const bool in_german : {false, true}) {
-        if (in_german)
-            QCoreApplication::installTranslator(&german);
+    for (const char* language : {"de", "en"}) {
+        chooseLanguage(studio_->settings(), language);
+        applyLanguage(studio_->settings());
         TransportBar bar(*studio_, *timeline_);
         bar.show();
         int most = 0;
@@ -111,7 +109,6 @@ TEST_F(TimelineTest, TheBarBelowSaysAsMuchAsHasRoomInEveryLanguage) {
         }
         EXPECT_EQ(most, 10) << "with the length and the label of the speed";
     }
-    QCoreApplication::removeTranslator(&german);
 }
 
 TEST_F(TimelineTest, KeysStepFramesAndSeconds) {
