@@ -19,6 +19,9 @@
 namespace noctule::ui {
 namespace {
 
+constexpr int kRow = 28;  // pixels at 100 percent
+constexpr int kEmptyRows = 3, kMostRows = 10;
+
 /// Take files among what is dragged.
 QStringList takeFiles(const QMimeData& dragged) {
     QStringList paths;
@@ -83,13 +86,27 @@ void TakeList::rename(int row) {
     edit(takes_->index(row));
 }
 
+void TakeList::setHighlights(bool highlights) {
+    const SelectionMode mode = highlights ? SingleSelection : NoSelection;
+    if (mode == selectionMode())
+        return;
+    setSelectionMode(mode);
+    if (highlights)
+        setCurrentIndex(currentIndex());
+    else
+        clearSelection();
+}
+
+int TakeList::rowsShown(int most) const {
+    return takes_->rowCount() > 0 ? std::min(takes_->rowCount(), most) : kEmptyRows;
+}
+
 QSize TakeList::sizeHint() const {
-    const int row = Theme::get().px(28);
-    return {Theme::get().px(216), std::clamp(takes_->rowCount(), 3, 10) * row};
+    return {Theme::get().px(216), rowsShown(kMostRows) * Theme::get().px(kRow)};
 }
 
 QSize TakeList::minimumSizeHint() const {
-    return {Theme::get().px(160), Theme::get().px(3 * 28)};
+    return {Theme::get().px(160), rowsShown(kEmptyRows) * Theme::get().px(kRow)};
 }
 
 void TakeList::keyPressEvent(QKeyEvent* event) {

@@ -18,6 +18,8 @@ public:
     void openTake(int row);
     /// A field for its name, in place.
     void rename(int row);
+    /// The chosen row is filled. Not while a row outside of the list is the one that matters.
+    void setHighlights(bool highlights);
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
@@ -35,6 +37,8 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    /// How many rows there is room for; the words of an empty list need more than one.
+    int rowsShown(int most) const;
     void chooseOpen();
     void showMenu(const QModelIndex& index, const QPoint& global);
     bool canRecover(int row) const;

@@ -66,6 +66,8 @@ TEST_F(LevelMetersTest, ALouderBoardHasALongerBarAndOneThatClipsAnotherColour) {
     EXPECT_EQ(pixels(0, tokens.warn), 0);
     EXPECT_GT(pixels(0, tokens.ok), 0) << "the peak that is held";
     EXPECT_EQ(pixels(2, tokens.ctl), 0) << "a silent board is no level of zero";
+    EXPECT_GT(pixels(2, tokens.err), 0) << "it has its mark";
+    EXPECT_EQ(pixels(0, tokens.err), 0);
     EXPECT_GT(pixels(0, tokens.acc), pixels(3, tokens.acc)) << "motion";
 }
 

@@ -11,28 +11,24 @@
 #include <QPlainTextEdit>
 #include <QRegularExpression>
 #include <QSignalSpy>
-#include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 
-#include "core/recording/take.h"
 #include "core/session/shot_list.h"
-#include "tests/devices/support/test_box.h"
-#include "tests/ui/support/wait.h"
+#include "tests/ui/views/record_fixture.h"
 #include "ui/models/voice.h"
 #include "ui/plots/level_meters.h"
 #include "ui/plots/pairs_heard.h"
-#include "ui/style/theme.h"
 #include "ui/views/record/levels_panel.h"
 #include "ui/views/record/mark_list.h"
 #include "ui/views/record/no_suit.h"
-#include "ui/views/record/record_bar.h"
-#include "ui/views/record/record_center.h"
 #include "ui/views/record/record_problems.h"
 #include "ui/views/record/record_readiness.h"
 #include "ui/views/record/record_sidebar.h"
 #include "ui/views/record/shot_list.h"
 #include "ui/views/record/shot_list_dialog.h"
 #include "ui/views/record/take_clock.h"
+#include "ui/views/take_list.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/problem_card.h"
 #include "ui/widgets/record_button.h"
@@ -43,61 +39,12 @@ namespace {
 
 using noctule::test::TestBox;
 using State = RecordRun::State;
+using RecordPageTest = test::RecordFixture;
 
 /// No constant: its take is one of another file, which may not be there yet.
 TestBox::Options looping() {
     return {.loops = true};
 }
-
-class RecordPageTest : public testing::Test {
-protected:
-    void SetUp() override {
-        Theme::install(*qApp);
-        QSettings().clear();
-        QSettings().setValue("folders/sessions", folder_.filePath("sessions"));
-        QSettings().setValue("folders/suits", folder_.filePath("suits"));
-        QSettings().setValue("record/countdown_s", 0);
-        QSettings().setValue("record/tones", false);
-        studio_ = std::make_unique<Studio>(
-            StudioParts{"test", [] { return std::string("2026-01-01T00:00:00Z"); }, {}, {}});
-        page_ = std::make_unique<RecordPage>(*studio_);
-        page_->resize(1000, 700);
-        page_->show();
-        QApplication::setActiveWindow(page_.get());
-        ASSERT_TRUE(QTest::qWaitForWindowExposed(page_.get()));
-        page_->enter();
-    }
-    void TearDown() override {
-        page_.reset();
-        studio_.reset();
-    }
-
-    void openSession() { ASSERT_TRUE(studio_->session().create(folder_.filePath("here"), "here")); }
-    const Session& session() { return studio_->session().session(); }
-    RecordRun& run() { return page_->run(); }
-    RecordBar& bar() { return page_->center().bar(); }
-    bool reach(State state) {
-        return waitFor([&] { return run().state() == state; });
-    }
-    bool connectTo(const TestBox& box, double rest_s = 0.5) {
-        const Take take = std::move(Take::open(noctule::test::kTinyTake).value());
-        studio_->suit().connectTo(QString::fromStdString(box.address()),
-                                  {take.calibrationInForce()->value, take.actorInForce()->value, rest_s});
-        return waitFor([&] { return studio_->suit().phase() == LiveSuit::Phase::kLooking; });
-    }
-    bool recordFor(double seconds) {
-        return reach(State::kReady) && (key(Qt::Key_Space), reach(State::kRecording)) &&
-               waitFor([&] { return studio_->suit().recordedSeconds() >= seconds; });
-    }
-    void key(Qt::Key key) { QTest::keyClick(page_.get(), key); }
-    std::string pathOf(const char* take) {
-        return session().pathOf(session().takes[static_cast<size_t>(session().findTake(take))]).string();
-    }
-
-    QTemporaryDir folder_;
-    std::unique_ptr<Studio> studio_;
-    std::unique_ptr<RecordPage> page_;
-};
 
 TEST_F(RecordPageTest, WithoutASuitItSaysSoAndShowsTheWays) {
     EXPECT_EQ(run().state(), State::kNoSuit);
@@ -416,6 +363,41 @@ TEST_F(RecordPageTest, ShowsLevelsPairsAndReadiness) {
     ASSERT_TRUE(waitFor([&] { return readiness.value(Fact::kBoards) == "2 of 2"; }));
     ASSERT_TRUE(waitFor([&] { return readiness.value(Fact::kLink).contains("MB/s"); }));
     readiness.hide();
+}
+
+TEST_F(RecordPageTest, TheRunningTakeFollowsTheLastOneAndIsAloneHighlighted) {
+    TestBox box(kLooping);
+    openSession();
+    ASSERT_TRUE(connectTo(box));
+    run().setOpensReview(false);
+    RecordSidebar& sidebar = page_->sidebar();
+    sidebar.resize(Theme::get().px(248), 640);
+    sidebar.show();
+    auto& takes = *sidebar.findChild<TakeList*>();
+    EXPECT_TRUE(takes.isVisible()) << "it says what will be here";
+    ASSERT_TRUE(recordFor(0.2));
+    EXPECT_FALSE(takes.isVisible()) << "nothing is above the first take";
+    run().stop();
+    ASSERT_TRUE(waitFor([&] { return session().takes.size() == 1; }));
+    ASSERT_TRUE(reach(State::kReady));
+    takes.setCurrentIndex(takes.model()->index(0, 0));
+    ASSERT_TRUE(takes.selectionModel()->hasSelection());
+    ASSERT_TRUE(recordFor(0.2));
+    const auto rows = sidebar.findChildren<QWidget*>();
+    const auto running = std::ranges::find_if(
+        rows, [](const QWidget* row) { return row->accessibleName().startsWith("take_002, "); });
+    ASSERT_NE(running, rows.end());
+    QTest::qWait(50);
+    const int last =
+        takes.viewport()->mapTo(&sidebar, takes.visualRect(takes.model()->index(0, 0)).bottomLeft()).y();
+    EXPECT_GT((*running)->y(), last);
+    EXPECT_LE((*running)->y() - last, Theme::get().px(4));
+    EXPECT_FALSE(takes.selectionModel()->hasSelection());
+    run().stop();
+    ASSERT_TRUE(waitFor([&] { return session().takes.size() == 2; }));
+    ASSERT_TRUE(reach(State::kReady));
+    takes.setCurrentIndex(takes.model()->index(1, 0));
+    EXPECT_TRUE(takes.selectionModel()->hasSelection()) << "as before";
 }
 
 TEST(TakeClock, SaysUpToWhereTheTakeIsSafe) {

@@ -99,6 +99,9 @@ RecordSidebar::RecordSidebar(Studio& studio, RecordRun& run, QWidget* parent)
 void RecordSidebar::refresh() {
     const bool runs = run_.state() == RecordRun::State::kRecording;
     const bool saves = run_.state() == RecordRun::State::kSaving;
+    // The running take follows the last one, and it alone is highlighted.
+    takes_->setVisible(!(runs || saves) || takes_->model()->rowCount() > 0);
+    takes_->setHighlights(!(runs || saves));
     running_->setTake(runs || saves ? run_.takeName() : QString(),
                       saves ? tr("being saved", "a take") : tr("recording", "a take"));
     if (!studio_.session().isOpen())
