@@ -17,9 +17,10 @@ namespace noctule::ui {
 
 namespace {
 
-/// What gives way first when the row is short of room.
+/// What gives way first when the row is short of room, and what goes after the choice of view.
 constexpr std::array kFirstToGo{SceneLayer::kGrid,     SceneLayer::kContacts, SceneLayer::kTrails,
                                 SceneLayer::kSkeleton, SceneLayer::kGhost,    SceneLayer::kBoards};
+constexpr std::array kLastToGo{SceneLayer::kRays, SceneLayer::kMesh};
 
 }  // namespace
 
@@ -127,16 +128,18 @@ void SceneTools::fitInto(int width_px) {
         tool.button->setVisible(tool.offered);
     more_->setVisible(false);
     views_->setVisible(true);
-    for (const SceneLayer layer : kFirstToGo) {
+    const auto give_up = [this, width_px](SceneLayer layer) {
         if (widthNeeded() <= width_px)
-            break;
+            return;
         more_->setVisible(true);
         for (const LayerTool& tool : layers_)
             if (tool.layer == layer)
                 tool.button->setVisible(false);
-    }
+    };
+    std::ranges::for_each(kFirstToGo, give_up);
     if (widthNeeded() > width_px)
         views_->setVisible(false);
+    std::ranges::for_each(kLastToGo, give_up);
     fillMore();
     resize(widthNeeded(), sizeHint().height());
 }

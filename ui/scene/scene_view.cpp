@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <QResizeEvent>
 #include <QStandardPaths>
+#include <utility>
 
 #include "ui/scene/scene_accessible.h"
 #include "ui/scene/scene_parts.h"
@@ -159,8 +160,14 @@ void SceneView::layOut() {
     parts_->message->setGeometry(column);
     // The clock of what is recorded stands at the left.
     const int left = parts_->live ? Theme::get().px(kClockWidth) : margin;
-    parts_->tools->fitInto(width() - left - margin);
-    parts_->tools->move(parts_->live ? width() - parts_->tools->width() - margin : margin, margin);
+    const int right = width() - margin - parts_->beside_tools_px;
+    parts_->tools->fitInto(right - left);
+    parts_->tools->move(parts_->live ? right - parts_->tools->width() : margin, margin);
+}
+
+void SceneView::setRoomBesideTools(int width_px) {
+    if (std::exchange(parts_->beside_tools_px, width_px) != width_px)
+        layOut();
 }
 
 void SceneView::resizeEvent(QResizeEvent*) {

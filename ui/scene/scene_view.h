@@ -40,6 +40,9 @@ public:
     const Camera& camera() const;
     void setCamera(const Camera& camera);
 
+    /// Room at the right end of the row of tools for what somebody else puts there, in pixels.
+    void setRoomBesideTools(int width_px);
+
     /// Which motion of the take; kShown at first.
     void setSubject(SceneSubject subject);
 

@@ -342,7 +342,7 @@ TEST_F(MainWindowTest, WordsPointToNoDockThatIsAway) {
             EXPECT_FALSE(words.contains(side)) << words.toStdString();
         }
     }
-    const auto& connect = dynamic_cast<ConnectPage&>(window_->page(Step::kConnect));
+    auto& connect = dynamic_cast<ConnectPage&>(window_->page(Step::kConnect));
     const QString verdict = connect.readiness().verdictText();
     EXPECT_FALSE(verdict.isEmpty());
     EXPECT_FALSE(verdict.contains(side)) << verdict.toStdString();

@@ -194,6 +194,8 @@ private:
                 parent->layout() && parent->layout()->indexOf(const_cast<QWidget*>(other)) >= 0;
             const QRect both =
                 widget.geometry().adjusted(1, 1, -1, -1) & other->geometry().adjusted(1, 1, -1, -1);
+            if (is_placed != other_is_placed)
+                is_placed ? lookAtToolsOf(widget, *other) : lookAtToolsOf(*other, widget);
             // A free child may lie on the one that fills the parent: a tool on a view.
             const bool is_on = is_placed != other_is_placed || widget.geometry() == parent->rect() ||
                                other->geometry() == parent->rect();
@@ -203,6 +205,25 @@ private:
             if (!both.isEmpty() && !is_on && !is_drawn)
                 sentences_ += QStringLiteral("%1 lies on %2 by %3x%4")
                                   .arg(nameOf(widget), nameOf(*other))
+                                  .arg(both.width())
+                                  .arg(both.height());
+        }
+    }
+
+    /// A free child that lies on a view stays beside the tools that the view has placed by itself.
+    void lookAtToolsOf(const QWidget& view, const QWidget& free) {
+        if (view.layout() || view.inherits("QAbstractScrollArea") || view.inherits("QSplitter"))
+            return;
+        for (const QObject* child : view.children()) {
+            const auto* tool = qobject_cast<const QWidget*>(child);
+            if (!tool || !tool->isVisibleTo(&view) || tool->isWindow() || tool->geometry() == view.rect() ||
+                tool->testAttribute(Qt::WA_TransparentForMouseEvents) || isInside(*tool))
+                continue;
+            const QRect place = tool->geometry().translated(view.pos());
+            const QRect both = place.adjusted(1, 1, -1, -1) & free.geometry().adjusted(1, 1, -1, -1);
+            if (!both.isEmpty())
+                sentences_ += QStringLiteral("%1 lies on %2 by %3x%4")
+                                  .arg(nameOf(free), nameOf(*tool))
                                   .arg(both.width())
                                   .arg(both.height());
         }

@@ -10,6 +10,9 @@
 #include "tests/ui/views/reviewed_session.h"
 #include "ui/models/part_names.h"
 #include "ui/plots/timeline.h"
+#include "ui/scene/scene_tools.h"
+#include "ui/scene/scene_view.h"
+#include "ui/scene/scene_words.h"
 #include "ui/style/words.h"
 #include "ui/views/report/joint_table.h"
 #include "ui/views/report/report_panel.h"
@@ -27,6 +30,7 @@
 #include "ui/views/review_words.h"
 #include "ui/views/take_list.h"
 #include "ui/widgets/button.h"
+#include "ui/widgets/tool_button.h"
 
 namespace noctule::ui {
 namespace {
@@ -96,6 +100,13 @@ TEST_F(ReviewPageTest, ReprocessedResultIsShownAndComparedWithTheEarlierOne) {
     ASSERT_TRUE(waitFor([this] { return page_->sidebar().runs().row(0)->detail().contains("mean"); }))
         << "all results are compared in the background";
 
+    ComposedScene composed;
+    composed.has_ghost = true;
+    const std::vector<SceneLegend> legends = takeLegends(studio_->take(), composed, SceneLayers());
+    ASSERT_EQ(legends.size(), 2u);
+    EXPECT_EQ(legends[0].text, "Result 2");
+    EXPECT_EQ(legends[1].text, "Result 1") << "the picture's numbers are those of the list";
+
     page_->center().scenes().setSideBySide(true);
     EXPECT_TRUE(page_->center().scenes().isSideBySide());
     QTest::mouseClick(page_->sidebar().runs().row(0), Qt::LeftButton);
@@ -103,6 +114,27 @@ TEST_F(ReviewPageTest, ReprocessedResultIsShownAndComparedWithTheEarlierOne) {
     EXPECT_FALSE(page_->center().scenes().isSideBySide()) << "nothing is left beside it";
     QTest::mouseClick(page_->sidebar().runs().row(1), Qt::LeftButton);
     EXPECT_EQ(take.shownRun(), 1) << "one is always shown";
+}
+
+TEST_F(ReviewPageTest, TheSplitButtonAndTheToolsLieBesideEachOther) {
+    studio_->take().setComparedRun(TakeDocument::kReference);
+    SceneArea& scenes = page_->center().scenes();
+    const auto* split = scenes.findChild<ToolButton*>({}, Qt::FindDirectChildrenOnly);
+    for (const int width : {1100, 1280, 1440})
+        for (const bool side_by_side : {false, true}) {
+            window_->resize(width, 860);
+            scenes.setSideBySide(side_by_side);
+            QTest::qWait(50);
+            ASSERT_EQ(scenes.isSideBySide(), side_by_side);
+            for (const SceneView* view : {&scenes.shown(), scenes.compared()})
+                if (view && view->isVisible()) {
+                    const auto* tools = view->findChild<SceneTools*>();
+                    const QRect place(tools->mapTo(&scenes, QPoint()), tools->size());
+                    EXPECT_FALSE(place.intersects(split->geometry()))
+                        << width << ": tools end at " << place.right() << ", the button begins at "
+                        << split->x();
+                }
+        }
 }
 
 TEST_F(ReviewPageTest, ReprocessingFitsTheSmallestScreen) {
@@ -238,10 +270,12 @@ TEST_F(ReviewPageTest, NotesAreInTheOperatorsWords) {
     overview.notes = {{"", "0:03.2 left heel slips"},
                       {"", "Driver box, at sample 1168800: board lost: board r_hand does not answer"},
                       {"", "Driver box, at sample 2250000: battery low: 11 V"},
+                      {"", "0:16.5 Driver box: 12 V"},
                       {"", "second try"}};
     EXPECT_EQ(takeNoteLines(overview),
               (QStringList{"0:03.2 left heel slips", "0:07.8 " + place + " fell silent; back at 0:13.0",
-                           "0:15.0 driver box: 11 V", "0:20.0 " + place + " fell silent", "second try"}));
+                           "0:15.0 driver box: 11 V", "0:16.5 driver box: 12 V",
+                           "0:20.0 " + place + " fell silent", "second try"}));
 }
 
 TEST_F(ReviewPageTest, ChoosingAJointChoosesItEverywhere) {

@@ -69,10 +69,14 @@ void SceneArea::refresh() {
 }
 
 void SceneArea::placeTool() {
-    const int inset = Theme::get().px(12);
+    const int inset = Theme::get().px(12), gap = Theme::get().px(8);
     split_->resize(split_->sizeHint());
     split_->move(width() - split_->width() - inset, inset);
     split_->raise();
+    const int room = split_->width() + gap;
+    shown_->setRoomBesideTools(isSideBySide() ? 0 : room);
+    if (compared_)
+        compared_->setRoomBesideTools(room);
 }
 
 void SceneArea::resizeEvent(QResizeEvent* event) {
