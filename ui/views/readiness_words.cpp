@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <algorithm>
+#include <cmath>
 
 #include "core/inertial/reading.h"
 #include "ui/language/core_words.h"
@@ -437,7 +438,7 @@ Tone toneOfStorage(double left_s) {
 QString durationWords(double seconds) {
     const auto minutes = static_cast<int>(seconds / 60);
     if (seconds < 100)
-        return secondsText(seconds, 0);
+        return secondsText(std::floor(seconds), 0);
     if (minutes < 60)
         return ReadinessText::tr("%1 min").arg(minutes);
     if (minutes >= 600)

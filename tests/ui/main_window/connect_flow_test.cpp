@@ -2,9 +2,11 @@
 // From launch to a suit that is ready, through the window: the virtual suit's program streams the tiny take.
 #include <QUndoStack>
 
+#include "tests/devices/support/test_box.h"
 #include "tests/support/take_files.h"
 #include "tests/ui/main_window/studio_fixture.h"
 #include "tests/ui/support/stall_watch.h"
+#include "ui/main_window/side_docks.h"
 #include "ui/main_window/status_line.h"
 #include "ui/main_window/top_bar.h"
 #include "ui/views/connect/board_card.h"
@@ -56,6 +58,22 @@ TEST_F(ConnectFlow, FromLaunchToReadyInTwoClicksAndOnToRecord) {
     EXPECT_EQ(window_->step(), Step::kRecord);
     studio_->stopVirtualSuit();
     EXPECT_EQ(chips(), QStringList{"No suit"});
+}
+
+TEST_F(ConnectFlow, TheDockKeepsItsWidthAsCardsCome) {
+    for (const int width : {1280, 1440}) {
+        window_->resize(width, 800);
+        window_->goTo(Step::kConnect);
+        QTest::qWait(100);
+        const int before = window_->sideDocks().right().width();
+        const noctule::test::TestBox box({.loops = true});
+        studio_->suit().connectTo(QString::fromStdString(box.address()));
+        ASSERT_TRUE(waitFor([&] { return !page().readiness().cards().empty(); }));
+        QTest::qWait(100);
+        EXPECT_EQ(window_->sideDocks().right().width(), before) << width;
+        studio_->suit().disconnectSuit();
+        EXPECT_TRUE(waitFor([&] { return page().readiness().cards().empty(); }));
+    }
 }
 
 TEST_F(ConnectFlow, WatchingASuitHoldsNothingUp) {

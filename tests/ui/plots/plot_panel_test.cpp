@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/plots/plot_panel.h"
 
+#include <QScreen>
 #include <QWheelEvent>
 
 #include "tests/ui/plots/plots_fixture.h"
@@ -40,6 +41,22 @@ protected:
     QPoint at(double t_s) {
         const auto [left, right] = stack().timeExtent();
         return {left + qRound(panel_->window().xOf(t_s, right - left)), 40};
+    }
+    /// Columns of the panel with the cursor's colour in the lowest rows of the first lane, where no words
+    /// are: what the X server shows, not what a repaint would bring.
+    std::vector<int> cursorsOnScreen() {
+        constexpr int kRows = 3;
+        const QImage shown = QGuiApplication::primaryScreen()->grabWindow(panel_->winId()).toImage();
+        const PlotLane& lane = *panel_->lanes()[0];
+        const int end = lane.mapTo(panel_.get(), QPoint(0, lane.height())).y();
+        std::vector<int> columns;
+        for (int x = 0; x < shown.width(); ++x)
+            for (int y = end - kRows; y < end; ++y)
+                if (shown.pixelColor(x, y) == Theme::get().tokens().t1) {
+                    columns.push_back(x);
+                    break;
+                }
+        return columns;
     }
     double secondsPerPixel() {
         const auto [left, right] = stack().timeExtent();
@@ -143,6 +160,21 @@ TEST_F(PlotPanelTest, TheCursorIsOneLineThroughAllLanes) {
     for (const PlotLane* lane : panel_->lanes()) {
         EXPECT_EQ(picture.pixelColor(x, lane->y() + 3), line) << lane->y();  // where no dot lies on it
         EXPECT_EQ(lane->canvas().left(), panel_->lanes()[0]->canvas().left());
+    }
+}
+
+TEST_F(PlotPanelTest, AfterPlayingAndAClickElsewhereThereIsOneCursor) {
+    openPair();
+    onlyTab(PlotTab::kJointAngles);
+    ASSERT_TRUE(waitForCurves(3, 2));
+    for (const double t_s : {0.3, 1.7, 0.9}) {
+        studio_->time().play();
+        QTest::qWait(250);
+        studio_->time().pause();
+        QTest::mouseClick(&stack(), Qt::LeftButton, {}, at(t_s));
+        const int clicked = stack().mapTo(panel_.get(), at(t_s)).x();
+        EXPECT_TRUE(waitFor([&] { return cursorsOnScreen() == std::vector{clicked}; }))
+            << t_s << " s: " << testing::PrintToString(cursorsOnScreen()) << ", clicked at " << clicked;
     }
 }
 

@@ -2,11 +2,14 @@
 #include "ui/scene/scene_view.h"
 
 #include <QAccessible>
+#include <QPainter>
 #include <QSignalSpy>
 
 #include "core/render/body_scene.h"
 #include "core/suit/default_suit.h"
 #include "tests/ui/scene/scene_fixture.h"
+#include "ui/scene/scene_overlay.h"
+#include "ui/scene/scene_tools.h"
 #include "ui/widgets/empty_state.h"
 
 namespace noctule::ui {
@@ -57,6 +60,23 @@ TEST_F(SceneViewTest, TheBodyStaysToTheEndOfTheTake) {
     settle();
     EXPECT_TRUE(view_->descriptionInWords().startsWith("Body at"))
         << view_->descriptionInWords().toStdString();
+}
+
+TEST_F(SceneViewTest, TheWholeMotionIsInThePictureBelowTheTools) {
+    openTake();
+    const int below = view_->findChild<SceneTools*>()->geometry().bottom() + 1;
+    const QRect free(0, below, view_->width(), view_->height() - below);
+    const auto motion = studio_->take().shownMotion();
+    for (const TimedPose& frame : motion->frames) {
+        if (!frame.pose)
+            continue;
+        const BodyPlaces places = placeBody(motion->skeleton, *frame.pose, {}, nullptr);
+        for (const Vector3d& p_m : places.joints.p_world_joint) {
+            const QPoint at = onScreen(p_m);
+            ASSERT_TRUE(free.contains(at))
+                << at.x() << ", " << at.y() << " at " << 1e-9 * static_cast<double>(frame.time_ns) << " s";
+        }
+    }
 }
 
 TEST_F(SceneViewTest, KeysSwitchViews) {
@@ -197,6 +217,25 @@ TEST_F(SceneViewTest, ClosingTheTakeEmptiesTheView) {
     studio_->take().close();
     settle();
     EXPECT_EQ(view_->descriptionInWords(), "The body of the take that you open appears here.");
+}
+
+TEST(SceneOverlayTest, InANarrowViewWordsStandBelowTheBody) {
+    Theme::install(*qApp);
+    Theme::get().setScale(1);
+    OverlayContent content;
+    content.legends = {{"Result 1", false}, {"Result 2", true}};
+    content.callout = SceneCallout{{190, 200}, "Left shin, board 14", "Source 3, confidence 0.71"};
+    QImage image(380, 520, QImage::Format_ARGB32_Premultiplied);
+    image.fill(Qt::transparent);
+    QPainter painter(&image);
+    SceneOverlay::paint(painter, QRectF(image.rect()), content);
+    painter.end();
+    int above = 0, below = 0;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            (y < 416 ? above : below) += qAlpha(image.pixel(x, y)) > 0;
+    EXPECT_EQ(above, 0) << "here the body stands";
+    EXPECT_GT(below, 100);
 }
 
 class SceneFigure : public SceneViewTest {

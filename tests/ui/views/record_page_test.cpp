@@ -19,6 +19,8 @@
 #include "ui/models/voice.h"
 #include "ui/plots/level_meters.h"
 #include "ui/plots/pairs_heard.h"
+#include "ui/style/words.h"
+#include "ui/views/readiness_words.h"
 #include "ui/views/record/levels_panel.h"
 #include "ui/views/record/mark_list.h"
 #include "ui/views/record/no_suit.h"
@@ -398,6 +400,13 @@ TEST_F(RecordPageTest, TheRunningTakeFollowsTheLastOneAndIsAloneHighlighted) {
     ASSERT_TRUE(reach(State::kReady));
     takes.setCurrentIndex(takes.model()->index(1, 0));
     EXPECT_TRUE(takes.selectionModel()->hasSelection()) << "as before";
+}
+
+TEST(DurationWords, RoundDown) {
+    EXPECT_EQ(durationWords(99.9), secondsText(99, 0));
+    EXPECT_EQ(durationWords(59 * 60 + 59), "59 min");
+    EXPECT_EQ(durationWords(3 * 3600 + 35 * 60 + 59), "3 h 35 min");
+    EXPECT_EQ(durationWords(12 * 3600 - 1), "11 h");
 }
 
 TEST(TakeClock, SaysUpToWhereTheTakeIsSafe) {

@@ -248,6 +248,11 @@ TEST_F(WidgetsTest, emptyStateOffersItsAction) {
     QTest::mouseClick(state.button(), Qt::LeftButton);
     EXPECT_EQ(activated.count(), 1);
     EXPECT_EQ(EmptyState("Nothing to do.").button(), nullptr);
+    state.resize(1400, 300);
+    QApplication::processEvents();
+    EXPECT_NEAR(state.findChild<Label*>()->geometry().center().x(), state.button()->geometry().center().x(),
+                1)
+        << "on a wide page too";
 }
 
 }  // namespace
