@@ -73,8 +73,7 @@ public:
           records_(common_.size()) {
         result_.curves.reserve(common_.size());  // records point into it
         for (size_t i = 1; i < common_.size(); ++i)
-            if (common_[i].moves &&
-                std::count(options.curve_joints.begin(), options.curve_joints.end(), common_[i].name) > 0) {
+            if (common_[i].moves && options.curves) {
                 result_.curves.push_back({common_[i].name, {}, {}, {}, {}});
                 records_[i].curve = &result_.curves.back();
             }

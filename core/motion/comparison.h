@@ -29,7 +29,7 @@ struct ComparisonOptions {
     std::optional<int64_t> reference_offset_ns;  ///< a known shift instead
     /// Frames of the reference's segments are found (segment_match.h). Off: axes and zero pose as ours.
     bool match_segments = true;
-    std::vector<std::string> curve_joints = {"Head", "RightArm", "LeftUpLeg"};  ///< of figure 6
+    bool curves = true;  ///< of every compared joint, as in figure 6; 1.4 kB a frame
 };
 
 /// Of an angle over time, in degrees.
@@ -48,7 +48,8 @@ struct JointComparison {
     std::optional<double> nees;  ///< of this joint
 };
 
-/// Figure 6 for one joint; all arrays as long as Comparison::time_s. Angles z, x, y of joint_angles.h.
+/// Figure 6 for one joint; all arrays as long as Comparison::time_s. Angles z, x, y of joint_angles.h,
+/// without jumps: they may leave +-180 degrees.
 struct JointCurve {
     std::string name;
     std::array<std::vector<double>, 3> estimate_deg, reference_deg;
@@ -86,7 +87,7 @@ struct Comparison {
     std::optional<TimeOffset> refused_offset;  ///< looked for, found and not trusted
     std::vector<double> time_s;                ///< of every compared frame, on the estimate's clock
     std::vector<double> mean_curve_deg;        ///< mean over joints of the angle
-    std::vector<JointCurve> curves;
+    std::vector<JointCurve> curves;            ///< in the order of `joints`
 
     const JointComparison* find(const std::string& name) const;
 };

@@ -275,7 +275,9 @@ Status compareRun(const Take& take, int64_t run, const Reference& reference, Rep
         return motion.error();
     if (!reference.there)
         return Done{};
-    auto comparison = compareMotions(*motion, reference.motion, reference.options);
+    ComparisonOptions options = reference.options;
+    options.curves = described.is_shown;
+    auto comparison = compareMotions(*motion, reference.motion, options);
     if (!comparison && described.is_shown)
         return comparison.error();
     if (!comparison)
@@ -298,7 +300,7 @@ Status addDistances(const Take& take, const std::vector<DerivedRun>& runs, const
     ComparisonOptions options;
     options.from_ns = std::llround(data.take.rest_s * 1e9);
     options.match_segments = false;
-    options.curve_joints.clear();
+    options.curves = false;
     for (size_t i = runs.size() - std::min(runs.size(), kMostRunsBeside); i < runs.size(); ++i) {
         if (runs[i].run == shown.run)
             continue;

@@ -121,6 +121,10 @@ std::string heading(const std::string& text) {
     return "<h3>" + escaped(text) + "</h3>\n";
 }
 
+std::string folded(const std::string& title, const std::string& body_html) {
+    return "<details><summary>" + escaped(title) + "</summary>\n" + body_html + "</details>\n";
+}
+
 std::string note(const std::string& sentence) {
     return "<p class=\"note\">" + escaped(sentence) + "</p>\n";
 }

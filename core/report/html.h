@@ -47,6 +47,8 @@ std::string problems(const std::vector<std::string>& sentences);
 std::string nothing(const std::string& sentence);
 
 std::string heading(const std::string& text);
+/// Shown when its title is chosen.
+std::string folded(const std::string& title, const std::string& body_html);
 std::string note(const std::string& sentence);
 std::string list(const std::vector<std::string>& sentences);
 

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <set>
 
 #include "core/body/text.h"
 #include "core/report/angle_names.h"
@@ -12,6 +16,7 @@ namespace noctule {
 namespace {
 
 constexpr const char* kAngleNames[] = {"Z", "X", "Y"};  // the order of joint_angles.h
+constexpr double kHalfWidth_px = 488;
 
 html::Row jointRow(const JointComparison& joint, double scale_deg) {
     const AngleStatistics& a = joint.angle;
@@ -53,41 +58,125 @@ std::string jointTable(const Comparison& c) {
     return html::table(table);
 }
 
+/// Within (-180, 180] degrees; where a curve goes round, a hole stands instead of a stroke across the plot.
+std::vector<double> wrapped(const std::vector<double>& angles_deg) {
+    std::vector<double> within;
+    within.reserve(angles_deg.size());
+    double before = NAN;
+    for (const double angle_deg : angles_deg) {
+        const double turned = angle_deg - 360 * std::ceil((angle_deg - 180) / 360);
+        within.push_back(std::abs(turned - before) > 180 ? NAN : turned);
+        before = turned;
+    }
+    return within;
+}
+
+/// Half as wide, two in a row, without legend and band: of the joints that are folded away, or else the page
+/// of a long take would grow beyond 3 MB.
+enum class PlotSize { kWhole, kHalf };
+
 /// One angle of figure 6.
-std::string anglePlot(const JointCurve& curve, size_t axis, const Comparison& c, const ReportData& data) {
+std::string anglePlot(const JointCurve& curve, size_t axis, PlotSize size, const Comparison& c,
+                      const ReportData& data) {
+    const std::vector<double> estimate_deg = wrapped(curve.estimate_deg[axis]);
+    const std::vector<double> reference_deg = wrapped(curve.reference_deg[axis]);
+    const bool is_whole = size == PlotSize::kWhole;
     LinePlot plot;
     const std::string name = anatomicalAngle(curve.name, axis);
     plot.title = text::jointLabel(curve.name) + ", " + (name.empty() ? "angle " : name + ", angle ") +
                  kAngleNames[axis];
-    plot.description = "Estimate and reference over time; the band is two sigma of the estimate";
+    plot.description = is_whole ? "Estimate and reference over time; the band is two sigma of the estimate"
+                                : "Estimate and reference over time";
     plot.time_s = takeInterval(data);
-    plot.values = niceInterval({curve.estimate_deg[axis], curve.reference_deg[axis]}, 10);
+    plot.values = niceInterval({estimate_deg, reference_deg}, 10);
+    plot.values = {std::max(plot.values.min, -180.0), std::min(plot.values.max, 180.0)};
     plot.unit = "°";
-    plot.height_px = 96;
+    plot.height_px = is_whole ? 96 : 72;
+    plot.width_px = is_whole ? kPlotWidth_px : kHalfWidth_px;
     plot.time_labels = false;
     std::vector<double> two_sigma_deg;
     for (const double sigma_deg : curve.sigma_deg[axis])
-        two_sigma_deg.push_back(2 * sigma_deg);
+        if (is_whole)
+            two_sigma_deg.push_back(2 * sigma_deg);
     if (!two_sigma_deg.empty())
-        plot.bands.push_back({c.time_s, curve.estimate_deg[axis], two_sigma_deg});
-    plot.curves.push_back({c.time_s, curve.estimate_deg[axis], "estimate",
-                           two_sigma_deg.empty() ? "estimate" : "estimate with 2 sigma"});
-    plot.curves.push_back({c.time_s, curve.reference_deg[axis], "reference", "reference"});
+        plot.bands.push_back({c.time_s, estimate_deg, two_sigma_deg});
+    const std::string estimate = two_sigma_deg.empty() ? "estimate" : "estimate with 2 sigma";
+    plot.curves.push_back({c.time_s, estimate_deg, "estimate", is_whole ? estimate : ""});
+    plot.curves.push_back({c.time_s, reference_deg, "reference", is_whole ? "reference" : ""});
     return svg(plot);
 }
 
-std::string differencePlot(const JointCurve& curve, const Comparison& c, const ReportData& data) {
+std::string differencePlot(const JointCurve& curve, PlotSize size, const Comparison& c,
+                           const ReportData& data) {
     LinePlot plot;
     plot.title = text::jointLabel(curve.name) + ", orientation difference";
     plot.description = "Angle between the estimated and the reference orientation over time";
     plot.time_s = takeInterval(data);
     plot.values = niceInterval({curve.difference_deg}, 1);
-    plot.values.min = 0;
+    plot.values = {0, std::min(plot.values.max, 180.0)};
     plot.value_decimals = plot.values.max < 4 ? 1 : 0;
     plot.unit = "°";
     plot.height_px = 72;
+    plot.width_px = size == PlotSize::kWhole ? kPlotWidth_px : kHalfWidth_px;
     plot.curves.push_back({c.time_s, curve.difference_deg, "error", ""});
     return svg(plot);
+}
+
+std::string jointPlots(const JointCurve& curve, PlotSize size, const Comparison& c, const ReportData& data) {
+    std::string out = html::heading(text::jointLabel(curve.name) + " against the reference") +
+                      (size == PlotSize::kWhole ? "<div class=\"scroll\">" : "<div class=\"pair\">");
+    for (size_t axis = 0; axis < 3; ++axis)
+        out += anglePlot(curve, axis, size, c, data);
+    return out + differencePlot(curve, size, c, data) + "</div>";
+}
+
+/// The three that err most, and those of the paper's figure 6.
+std::set<std::string> shownAtOnce(const Comparison& c) {
+    constexpr size_t kWorst = 3;
+    std::vector<const JointComparison*> joints;
+    for (const JointComparison& joint : c.joints)
+        joints.push_back(&joint);
+    std::ranges::stable_sort(joints, std::greater(), [](const JointComparison* joint) {
+        return std::isfinite(joint->angle.mean_deg) ? joint->angle.mean_deg : INFINITY;
+    });
+    std::set<std::string> names = {"Head", "RightArm", "LeftUpLeg"};
+    for (size_t i = 0; i < std::min(kWorst, joints.size()); ++i)
+        names.insert(joints[i]->name);
+    return names;
+}
+
+constexpr const char* kBodyParts[] = {"Trunk and head", "Left arm",  "Right arm",
+                                      "Left leg",       "Right leg", "Other joints"};
+
+/// Index in kBodyParts.
+size_t bodyPartOf(const std::string& joint) {
+    const bool is_right = joint.starts_with("Right");
+    const std::string part = is_right || joint.starts_with("Left") ? joint.substr(is_right ? 5 : 4) : "";
+    const auto is_one_of = [](const std::string& name, std::initializer_list<const char*> names) {
+        return std::ranges::find(names, name) != names.end();
+    };
+    if (is_one_of(joint, {"Spine", "Chest", "Neck", "Head"}))
+        return 0;
+    if (is_one_of(part, {"Shoulder", "Arm", "ForeArm", "Hand"}))
+        return is_right ? 2 : 1;
+    if (is_one_of(part, {"UpLeg", "Leg", "Foot", "ToeBase"}))
+        return is_right ? 4 : 3;
+    return std::size(kBodyParts) - 1;
+}
+
+std::string allCurves(const Comparison& c, const ReportData& data) {
+    const std::set<std::string> at_once = shownAtOnce(c);
+    std::string open;
+    std::array<std::string, std::size(kBodyParts)> folded;
+    for (const JointCurve& curve : c.curves)
+        if (at_once.contains(curve.name))
+            open += jointPlots(curve, PlotSize::kWhole, c, data);
+        else
+            folded[bodyPartOf(curve.name)] += jointPlots(curve, PlotSize::kHalf, c, data);
+    for (size_t part = 0; part < folded.size(); ++part)
+        if (!folded[part].empty())
+            open += html::folded(kBodyParts[part], folded[part]);
+    return open;
 }
 
 }  // namespace
@@ -105,13 +194,12 @@ std::string jointsSection(const ReportData& data) {
         "NEES compares the errors with what the filter says about them: 1 is honest, more is too sure. "
         "Position is that of the joint in the frame of the pelvis, so it gathers the errors of all joints "
         "above.");
-    for (const JointCurve& curve : c.curves) {
-        body +=
-            html::heading(text::jointLabel(curve.name) + " against the reference") + "<div class=\"scroll\">";
-        for (size_t axis = 0; axis < 3; ++axis)
-            body += anglePlot(curve, axis, c, data);
-        body += differencePlot(curve, c, data) + "</div>";
-    }
+    body += html::note(
+        "Curves follow of the head, the right shoulder, the left hip and the three joints that err most; "
+        "those "
+        "of all others are folded below them, by body part. Estimates are whole lines, the reference is "
+        "dashed; a curve breaks where it passes 180°.");
+    body += allCurves(c, data);
     return html::section("joints", title,
                          "Angle between the estimated and the reference rotation of each joint, of run " +
                              run->name +

@@ -329,10 +329,6 @@
         <translation>Linkes Sprunggelenk</translation>
     </message>
     <message>
-        <source>Left arm</source>
-        <translation>Linker Arm</translation>
-    </message>
-    <message>
         <source>Left clavicle</source>
         <translation>Linkes Schlüsselbein</translation>
     </message>
@@ -359,10 +355,6 @@
     <message>
         <source>Left knee</source>
         <translation>Linkes Knie</translation>
-    </message>
-    <message>
-        <source>Left leg</source>
-        <translation>Linkes Bein</translation>
     </message>
     <message>
         <source>Left shin</source>
@@ -449,10 +441,6 @@
         <translation>Rechtes Sprunggelenk</translation>
     </message>
     <message>
-        <source>Right arm</source>
-        <translation>Rechter Arm</translation>
-    </message>
-    <message>
         <source>Right clavicle</source>
         <translation>Rechtes Schlüsselbein</translation>
     </message>
@@ -479,10 +467,6 @@
     <message>
         <source>Right knee</source>
         <translation>Rechtes Knie</translation>
-    </message>
-    <message>
-        <source>Right leg</source>
-        <translation>Rechtes Bein</translation>
     </message>
     <message>
         <source>Right shin</source>
@@ -6377,6 +6361,10 @@
         <translation>Konfidenz jedes Pulses über die Zeit als Punkte, 0 wenn nicht gehört, und ihr Mittel über eine Sekunde</translation>
     </message>
     <message>
+        <source>Curves follow of the head, the right shoulder, the left hip and the three joints that err most; those of all others are folded below them, by body part. Estimates are whole lines, the reference is dashed; a curve breaks where it passes 180°.</source>
+        <translation>Es folgen Kurven von Kopf, rechter Schulter, linker Hüfte und den drei Gelenken mit dem größten Fehler; die aller anderen sind darunter nach Körperteilen eingeklappt. Schätzungen sind durchgezogen, die Referenz ist gestrichelt; eine Kurve bricht ab, wo sie 180° überschreitet.</translation>
+    </message>
+    <message>
         <source>Deviation</source>
         <translation>Abweichung</translation>
     </message>
@@ -6427,6 +6415,10 @@
     <message>
         <source>Errors of distances that took no part</source>
         <translation>Fehler der Entfernungen, die nicht beteiligt waren</translation>
+    </message>
+    <message>
+        <source>Estimate and reference over time</source>
+        <translation>Schätzung und Referenz über die Zeit</translation>
     </message>
     <message>
         <source>Estimate and reference over time; the band is two sigma of the estimate</source>
@@ -6593,8 +6585,16 @@
         <translation>Links</translation>
     </message>
     <message>
+        <source>Left arm</source>
+        <translation>Linker Arm</translation>
+    </message>
+    <message>
         <source>Left hip °</source>
         <translation>Linke Hüfte °</translation>
+    </message>
+    <message>
+        <source>Left leg</source>
+        <translation>Linkes Bein</translation>
     </message>
     <message>
         <source>LeftFoot</source>
@@ -6773,6 +6773,10 @@
         <translation>Unterschiede der Orientierung zur Referenz nach Sensoren, in Grad</translation>
     </message>
     <message>
+        <source>Other joints</source>
+        <translation>Andere Gelenke</translation>
+    </message>
+    <message>
         <source>Over time</source>
         <translation>Über die Zeit</translation>
     </message>
@@ -6859,6 +6863,14 @@
     <message>
         <source>Right</source>
         <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Right arm</source>
+        <translation>Rechter Arm</translation>
+    </message>
+    <message>
+        <source>Right leg</source>
+        <translation>Rechtes Bein</translation>
     </message>
     <message>
         <source>Right shoulder °</source>
@@ -7071,6 +7083,10 @@
     <message>
         <source>Trunk</source>
         <translation>Rumpf</translation>
+    </message>
+    <message>
+        <source>Trunk and head</source>
+        <translation>Rumpf und Kopf</translation>
     </message>
     <message>
         <source>UpLeg</source>
@@ -7439,6 +7455,10 @@
     <message>
         <source>ranges %1, inertia alone %2</source>
         <translation>Entfernungen %1, Trägheit allein %2</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>Referenz</translation>
     </message>
     <message>
         <source>rejected by the gate</source>

@@ -53,6 +53,7 @@ inline ReportRun madeRun(const std::string& sensors, const TimedMotion& referenc
     run.settings = {{"Gate", "4.5 sigma"}, {"Detector", "matched"}};
     ComparisonOptions options;
     options.from_ns = 3'000'000'000;
+    options.curves = sensors == "AGD";  // of the shown run alone, as evaluateTake does
     run.comparison =
         compareMotions(bodyMotion(seconds, noise_deg, drift_deg_per_min), reference, options).value();
     return run;

@@ -9,6 +9,7 @@
 #include "core/report/html_report.h"
 #include "core/report/joint_support.h"
 #include "core/report/range_statistics.h"
+#include "core/report/sections.h"
 #include "core/report/style.h"
 #include "core/report/svg_plot.h"
 #include "core/report/verdict.h"
@@ -138,6 +139,45 @@ TEST(HtmlReport, EscapesEveryName) {
     EXPECT_FALSE(has(page, "<b>&amp;"));
     EXPECT_TRUE(has(page, "&lt;b&gt;&amp;&quot;x&quot;&lt;/b&gt;"));
     EXPECT_EQ(tagTrouble(page), "");
+}
+
+TEST(HtmlReport, EveryJointHasItsCurvesAndNoAngleLeavesHalfATurn) {
+    ReportData data = madeReport(20);
+    Comparison& c = *data.runs.back().comparison;
+    for (JointCurve& curve : c.curves)
+        if (curve.name == "LeftUpLeg")
+            for (size_t i = 0; i < c.time_s.size(); ++i)
+                curve.estimate_deg[0][i] = curve.reference_deg[0][i] = -100 - 0.2 * static_cast<double>(i);
+    const std::string joints = jointsSection(data);
+    for (const JointComparison& joint : c.joints)
+        EXPECT_TRUE(
+            has(joints, "<title>" + text::jointLabel(joint.name) + ", orientation difference</title>"))
+            << joint.name;
+    EXPECT_TRUE(has(joints, "<details><summary>Left arm</summary>"));
+    const std::regex label("class=\"tick end\">[^0-9<]*([0-9]+)[^0-9.<]*<");
+    int labels = 0;
+    for (std::sregex_iterator at(joints.begin(), joints.end(), label), end; at != end; ++at, ++labels)
+        EXPECT_LE(std::stoi((*at)[1]), 180);
+    EXPECT_GT(labels, 100);
+
+    const size_t hip = joints.find("<title>Left hip, abduction, angle Z</title>");
+    ASSERT_NE(hip, std::string::npos);
+    const std::string plot = joints.substr(hip, joints.find("</svg>", hip) - hip);
+    const std::string curve = plot.substr(plot.rfind("<path class=\"reference\""));
+    EXPECT_EQ(std::count(curve.begin(), curve.end(), 'M'), 2) << "it breaks where it goes round";
+}
+
+TEST(HtmlReport, FewEchoesFrightenNobody) {
+    ReportData data = madeReport(20);
+    const std::string card = "<b>0.5 mm</b><span>range residual, median of the ranges used</span>";
+    EXPECT_TRUE(has(htmlReport(data), card));
+    for (ReportPair& pair : data.pairs)
+        for (PulseAtBoard& pulse : pair.pulses)
+            if (pulse.fate == PulseFate::kUsed) {
+                pulse.residual_m = 1.5f;
+                break;
+            }
+    EXPECT_TRUE(has(htmlReport(data), card));
 }
 
 TEST(HtmlReport, LongTakesStayBelowThreeMegabytes) {

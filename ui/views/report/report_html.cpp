@@ -64,7 +64,10 @@ private:
         } else if (name == "b") {
             out() += "<span class=\"value\">";
             push("</span><br>");
-        } else if (name == "div") {
+        } else if (name == "summary") {
+            out() += "<h2>";  // nothing is folded here: it heads what follows
+            push("</h2>");
+        } else if (name == "div" || name == "details") {
             push("");
         } else {
             row_begins_ = name == "tr";
