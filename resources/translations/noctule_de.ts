@@ -1732,8 +1732,8 @@
         <translation>Zwei Meter freier Boden</translation>
     </message>
     <message>
-        <source>It begins by itself when the performer stands still.</source>
-        <translation>Es beginnt von selbst, wenn der Darsteller still steht.</translation>
+        <source>After Begin it counts by itself as soon as the performer stands still.</source>
+        <translation>Nach „Beginnen“ zählt es von selbst, sobald der Darsteller still steht.</translation>
     </message>
     <message>
         <source>Check</source>
@@ -2504,8 +2504,8 @@
         <translation>Kontrollieren</translation>
     </message>
     <message>
-        <source>Begin</source>
-        <translation>Beginnen</translation>
+        <source>Prepare</source>
+        <translation>Vorbereiten</translation>
     </message>
     <message>
         <source>Not calibrated</source>
@@ -2524,8 +2524,8 @@
         <translation>Alle Teile des Anzugs haben Werte, die neu genug sind. Sie mit drei Sekunden Stillstehen kontrollieren.</translation>
     </message>
     <message>
-        <source>Begin: %1</source>
-        <translation>Beginnen: %1</translation>
+        <source>Prepare: %1</source>
+        <translation>Vorbereiten: %1</translation>
     </message>
     <message>
         <source>Continue to Record</source>
@@ -10866,12 +10866,12 @@ Drehen, beide Richtungen x3</translation>
 <context>
     <name>noctule::ui::TaskCard</name>
     <message>
-        <source>Begin</source>
-        <translation>Beginnen</translation>
+        <source>Prepare</source>
+        <translation>Vorbereiten</translation>
     </message>
     <message>
-        <source>Begin: %1</source>
-        <translation>Beginnen: %1</translation>
+        <source>Prepare: %1</source>
+        <translation>Vorbereiten: %1</translation>
     </message>
 </context>
 <context>

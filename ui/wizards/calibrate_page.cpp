@@ -24,6 +24,8 @@
 #include "ui/wizards/compare_dialog.h"
 #include "ui/wizards/room_page.h"
 #include "ui/wizards/task_card.h"
+#include "ui/wizards/unfinished_calibration.h"
+#include "ui/wizards/wizard_intro.h"
 #include "ui/wizards/wizard_page.h"
 
 namespace noctule::ui {
@@ -247,6 +249,7 @@ void CalibratePage::followSession() {
     if (showsWizard() && !session_.isEmpty() && session_ != sessionNow())
         closeWizard();
     session_ = sessionNow();
+    refresh();
 }
 
 void CalibratePage::checkBeforeTake() {
@@ -298,6 +301,17 @@ void CalibratePage::closeWizard() {
         studio_.goTo(Step::kRecord);
 }
 
+/// Of steps that an earlier visit took, in this session and of this suit; empty: none.
+QString CalibratePage::keptWords(WizardTask task) const {
+    if (!studio_.session().isOpen())
+        return {};
+    const Session& session = studio_.session().session();
+    const QString path = unfinishedPath(QString::fromStdString(session.calibrationFolder().string()),
+                                        keyOf(task), studio_.suit().serial());
+    return WizardIntro::keptWords(
+        readUnfinished(path, QString::fromStdString(session.evidenceFolder().string())));
+}
+
 void CalibratePage::refresh() {
     const std::optional<Calibration> in_force = studio_.calibrations().inForce();
     const Suit& suit = studio_.suit().suit();
@@ -326,8 +340,10 @@ void CalibratePage::refresh() {
                 card->setState(Tone::kOk, tr("Known exactly"));
             else
                 card->setState(state.tone(), state.words());
+            if (const QString kept = keptWords(task); !kept.isEmpty())
+                card->setState(Tone::kWarn, card->state() + ". " + kept);
         }
-        card->setButton(task == WizardTask::kCheck ? tr("Check") : tr("Begin"), next_ == task);
+        card->setButton(task == WizardTask::kCheck ? tr("Check") : tr("Prepare"), next_ == task);
     }
     if (!in_force)
         verdict_->setVerdict(
@@ -347,7 +363,7 @@ void CalibratePage::refresh() {
             Tone::kOk, tr("Calibrated"),
             tr("All parts of the suit have values that are recent enough. Check them with three "
                "seconds of standing still."));
-    way_on_->setText(next_ ? tr("Begin: %1").arg(wordsOf(*next_).title) : tr("Continue to Record"));
+    way_on_->setText(next_ ? tr("Prepare: %1").arg(wordsOf(*next_).title) : tr("Continue to Record"));
     export_->setDisabledBecause(in_force ? QString() : tr("There is no calibration to export."));
     showNewer();
     showHistory();

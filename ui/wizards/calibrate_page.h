@@ -49,6 +49,8 @@ public:
     bool showsWizard() const;
     /// Whose calibration is shown, where several suits are connected.
     SuitSwitch& suits() { return *suits_; }
+    TaskCard& card(WizardTask task) { return *cards_.at(task); }
+    /// Opens the first page, whose own button begins.
     Button* startButton(WizardTask task);
     Button* wayOn() { return way_on_; }
     Button* importButton() { return import_; }
@@ -72,6 +74,7 @@ private:
     QWidget* makeHistory();
     void goOn();
     QString sessionNow() const;
+    QString keptWords(WizardTask task) const;
     void followSession();
     void refresh();
     void showHistory();

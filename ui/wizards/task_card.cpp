@@ -15,7 +15,7 @@ TaskCard::TaskCard(const WizardWords& words, QWidget* parent)
     : Card(parent),
       state_(new Label({}, TextRole::kSecondary, Ink::kLabel)),
       state_icon_(new IconLabel("info", [] { return colorOf(Ink::kHint); })),
-      button_(makeButton(ButtonKind::kOutlined, tr("Begin"))) {
+      button_(makeButton(ButtonKind::kOutlined, tr("Prepare"))) {
     auto* row = makeRow(this, {20, 12, 20, 12}, 20);
     row->addWidget(new IconLabel(
                        words.icon, [] { return Theme::get().tokens().t2; }, 40),
@@ -29,7 +29,7 @@ TaskCard::TaskCard(const WizardWords& words, QWidget* parent)
     state->addWidget(state_icon_);
     state->addWidget(state_->wrapped(), 1);
     row->addWidget(texts, 1);
-    button_->setAccessibleName(tr("Begin: %1").arg(words.title));
+    button_->setAccessibleName(tr("Prepare: %1").arg(words.title));
     row->addWidget(button_, 0, Qt::AlignVCenter);
 }
 

@@ -115,7 +115,7 @@ void WizardIntro::refresh() {
     anew_->setDisabledBecause(run_->whyNotBegin());
     const bool lacks_distances = run_->task() == WizardTask::kSources && run_->distanceCount() == 0;
     takes_->setDisabledBecause(lacks_distances ? run_->whyNotBegin() : QString());
-    kept_words_->setText(unfinished ? keptWords() : run_->whyNotBegin());
+    kept_words_->setText(unfinished ? keptWords(run_->unfinished()) : run_->whyNotBegin());
     distances_words_->setVisible(run_->task() == WizardTask::kSources);
     distances_words_->setText(run_->distanceCount() > 0
                                   ? tr("%1: %n distance(s)", nullptr, run_->distanceCount())
@@ -133,8 +133,7 @@ void WizardIntro::showProblem() {
     problem_->setVisible(!why.isEmpty());
 }
 
-QString WizardIntro::keptWords() const {
-    const UnfinishedCalibration& unfinished = run_->unfinished();
+QString WizardIntro::keptWords(const UnfinishedCalibration& unfinished) {
     const QString since = dateText(QDateTime::fromString(unfinished.started_utc, Qt::ISODate).toLocalTime());
     const int steps = unfinished.stepsDone();
     const QString of_steps =

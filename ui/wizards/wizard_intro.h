@@ -15,6 +15,7 @@ class FieldDrawing;
 class RigDrawing;
 class CaptureContext;
 class WizardRun;
+struct UnfinishedCalibration;
 
 class WizardIntro : public QWidget {
     Q_OBJECT
@@ -32,12 +33,13 @@ public:
     QString problem() const;
     /// For the dock beside it.
     QWidget* words() { return words_; }
+    /// "3 steps were taken on 5 March 2026 and are kept."; empty: none was.
+    static QString keptWords(const UnfinishedCalibration& unfinished);
 
 private:
     void makeWords();
     void refresh();
     void showProblem();
-    QString keptWords() const;
     void chooseDistances();
     void chooseTakes();
 

@@ -122,7 +122,7 @@ WizardWords restPose() {
             TaskText::tr(
                 "As in the drawing: feet hip-wide and parallel, arms hanging a little away from the body, "
                 "elbows slightly bent, palms towards the body, eyes straight ahead."),
-            TaskText::tr("It begins by itself when the performer stands still."),
+            TaskText::tr("After Begin it counts by itself as soon as the performer stands still."),
             TaskText::tr("Stand in the rest pose")};
 }
 
@@ -169,7 +169,7 @@ WizardWords check() {
             TaskText::tr(
                 "As in the drawing: feet hip-wide and parallel, arms hanging a little away from the body, "
                 "elbows slightly bent, palms towards the body, eyes straight ahead."),
-            TaskText::tr("It begins by itself when the performer stands still."),
+            TaskText::tr("After Begin it counts by itself as soon as the performer stands still."),
             TaskText::tr("Stand still for three seconds")};
 }
 

@@ -30,7 +30,7 @@ struct WizardWords {
     QString takes;         ///< "Boards on the level plate, six sides, about 4 minutes; every three months"
     QStringList needs;     ///< what must be at hand, one line each
     QString set_up;        ///< how things stand before it begins, with what protects cables
-    QString in_any_order;  ///< a sentence for the rail
+    QString in_any_order;  ///< a sentence for the rail, which is seen before it begins, too
     QString headline;      ///< what to do first
 };
 WizardWords wordsOf(WizardTask task);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Wizards through everything that can go wrong. A small suit at several times its speed.
 #include "tests/ui/wizards/wizard_flow.h"
+#include "ui/wizards/task_card.h"
 
 namespace noctule::ui {
 namespace {
@@ -78,6 +79,10 @@ TEST_F(WizardFailures, WhatWasTakenSurvivesTheStudio) {
     studio_->session().open(session);
     ASSERT_TRUE(waitLong([this] { return studio_->session().isOpen(); }));
     connectAgain();
+    const QString overview = page_->card(WizardTask::kAccelerometers).state();
+    EXPECT_TRUE(overview.startsWith("Not calibrated yet. 3 steps were taken on ")) << overview.toStdString();
+    EXPECT_EQ(page_->card(WizardTask::kGyroscopes).state(), "Not calibrated yet");
+    EXPECT_EQ(page_->startButton(WizardTask::kAccelerometers)->text(), "Prepare");
     click(page_->startButton(WizardTask::kAccelerometers));
     EXPECT_EQ(page_->wizard().intro().beginButton()->text(), "Go on");
     click(page_->wizard().intro().beginButton());
