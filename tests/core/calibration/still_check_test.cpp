@@ -153,25 +153,36 @@ TEST(StillCheck, WhatWasNeverCalibratedCannotBeChecked) {
     EXPECT_EQ(report.grade(), Grade::kUnknown);
 }
 
+void exchange(Observations& seen, int one, int other) {
+    std::swap(seen.boards[static_cast<size_t>(one)], seen.boards[static_cast<size_t>(other)]);
+    for (FlightTime& flight : seen.flights)
+        if (flight.board == one || flight.board == other)
+            flight.board = flight.board == one ? other : one;
+}
+
 TEST(StillCheck, ExchangedBoardsAreNamedAsSuch) {
     const CalibratedPerson person(11);
-    auto take = person.stand(1);
-    ASSERT_TRUE(take) << take.error().text();
-    const int forearm = take->observations.suit.findBoard("l_forearm");
-    const int shin = take->observations.suit.findBoard("r_leg");
-    ASSERT_GE(forearm, 0);
-    ASSERT_GE(shin, 0);
-    std::swap(take->observations.boards[static_cast<size_t>(forearm)],
-              take->observations.boards[static_cast<size_t>(shin)]);
-    for (FlightTime& flight : take->observations.flights)
-        if (flight.board == forearm || flight.board == shin)
-            flight.board = flight.board == forearm ? shin : forearm;
-    const StillCheckReport report = checkStill(take->observations);
-    ASSERT_FALSE(report.findings.empty());
-    EXPECT_EQ(report.findings[0].what, "Boards 7 (left forearm) and " + std::to_string(shin + 1) +
-                                           " (right shin) seem to be exchanged")
-        << wordsOf(report);
-    EXPECT_EQ(report.findings.size(), 1U) << wordsOf(report);
+    const struct {
+        const char *one, *other, *said;
+    } pairs[] = {{"l_forearm", "r_leg", "Boards 7 (left forearm) and %2 (right shin)"},
+                 {"l_forearm", "l_hand", "Boards 7 (left forearm) and %2 (left hand)"}};
+    for (const auto& pair : pairs) {
+        SCOPED_TRACE(pair.said);
+        auto take = person.stand(1);
+        ASSERT_TRUE(take) << take.error().text();
+        const int one = take->observations.suit.findBoard(pair.one);
+        const int other = take->observations.suit.findBoard(pair.other);
+        ASSERT_GE(one, 0);
+        ASSERT_GE(other, 0);
+        exchange(take->observations, one, other);
+        const StillCheckReport report = checkStill(take->observations);
+        ASSERT_FALSE(report.findings.empty());
+        std::string said = pair.said;
+        said.replace(said.find("%2"), 2, std::to_string(other + 1));
+        EXPECT_EQ(report.findings[0].what, said + " seem to be exchanged") << wordsOf(report);
+        EXPECT_EQ(report.findings.size(), 1U) << wordsOf(report);
+        EXPECT_NE(report.grade(), Grade::kGood);
+    }
 }
 
 TEST(StillCheck, WhatBefellAllBoardsIsOneFinding) {

@@ -5,6 +5,7 @@
 
 #include "core/body/text.h"
 #include "core/report/calibration_document.h"
+#include "core/report/calibration_documents.h"
 #include "core/report/evaluation_json.h"
 #include "core/report/html_report.h"
 #include "core/report/joint_support.h"
@@ -70,6 +71,21 @@ TEST(CalibrationDocuments, PageAndTextSayTheSame) {
     EXPECT_TRUE(has(page, "0.0026") && has(plain, "  hips      0.0026\n  head           –\n")) << plain;
     for (const char* outside : {"<script", "http://", "url("})
         EXPECT_FALSE(has(page, outside)) << outside;
+}
+
+TEST(CalibrationDocuments, ACheckThatCouldNotBeMadeShowsNoNumbers) {
+    StillCheckReport report;
+    report.boards = {{.id = "hips", .heard = true, .tilt_change_rad = 0.3}, {.id = "head"}};
+    report.unchecked = "gyroscopes are not calibrated";
+    const CalibrationDocument unchecked = documentOf(report);
+    EXPECT_EQ(unchecked.summary, "Cannot be checked: gyroscopes are not calibrated");
+    EXPECT_TRUE(unchecked.numbers.empty() && unchecked.tables.empty() && !unchecked.errors);
+    report.unchecked.clear();
+    const CalibrationDocument checked = documentOf(report);
+    ASSERT_EQ(checked.numbers.size(), 3u);
+    EXPECT_EQ(checked.numbers[1].value, "–") << "no distance was heard, which is not 0 mm";
+    ASSERT_EQ(checked.tables.size(), 1u);
+    EXPECT_EQ(checked.tables[0].rows.size(), 1u) << "of the board that was heard";
 }
 
 TEST(HtmlReport, IsWellFormedCompleteAndStandsAlone) {

@@ -18,6 +18,7 @@
 #include "ui/main_window/status_line.h"
 #include "ui/main_window/top_bar.h"
 #include "ui/main_window/tour.h"
+#include "ui/main_window/window_place.h"
 #include "ui/style/theme.h"
 #include "ui/views/connect/body_map.h"
 #include "ui/views/connect/connect_page.h"
@@ -48,6 +49,20 @@ TEST_F(MainWindowTest, BeginsWithTheStartPageAndNothingOpen) {
     EXPECT_EQ(window_->statusLine().jobsText(), "No jobs running");
     EXPECT_TRUE(window_->sideDocks().left().isHidden());
     EXPECT_TRUE(window_->sideDocks().right().isHidden());
+}
+
+TEST_F(MainWindowTest, OpensNoLargerThanTheScreen) {
+    const auto isWithin = [this] {
+        const QRect room = freeRoom(*window_), place = window_->geometry();
+        EXPECT_TRUE(room.contains(place))
+            << place.width() << " x " << place.height() << " in " << room.width() << " x " << room.height();
+    };
+    isWithin();
+    window_->resize(2400, 1600);
+    restart();
+    isWithin();
+    restart();
+    isWithin();
 }
 
 TEST_F(MainWindowTest, StepsOpenByKeys) {

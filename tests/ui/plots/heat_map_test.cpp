@@ -104,6 +104,49 @@ TEST_F(HeatMapTest, WithoutATakeASentenceSaysWhatWillBeHere) {
     EXPECT_TRUE(map_->readout().startsWith("Open a take"));
 }
 
+/// Opens the take that a test has changed.
+class HeatMapOfATake : public test::PlotsFixture {
+protected:
+    void TearDown() override {
+        map_.reset();
+        PlotsFixture::TearDown();
+    }
+    void openIn() {
+        map_ = std::make_unique<HeatMap>(*studio_);
+        show(*map_, 400, 300);
+        studio_->take().open(QString::fromStdString(path()));
+        ASSERT_TRUE(waitFor([this] { return studio_->take().isOpen(); }));
+    }
+    std::unique_ptr<HeatMap> map_;
+};
+
+TEST_F(HeatMapOfATake, WithoutSourceOffsetsBoardsAreHeardAndNotUsable) {
+    auto take = Take::open(path(), Access::kReadWrite);
+    ASSERT_TRUE(take) << take.error().text();
+    auto edit = TakeEdit::begin(*take);
+    ASSERT_TRUE(edit);
+    ASSERT_TRUE(edit->setMeta("level", "signal"));
+    ASSERT_TRUE(edit->commit());
+    openIn();
+    ASSERT_TRUE(waitFor([this] { return map_->grid().columnCount() == 2; }));
+    studio_->selection().setPair(0, 1);
+    EXPECT_TRUE(
+        map_->readout().startsWith("Board 2, left hand: heard, but not usable without source offsets"))
+        << map_->readout().toStdString();
+}
+
+class HeatMapWithoutResult : public HeatMapOfATake {
+protected:
+    void addResults() override {}
+};
+
+TEST_F(HeatMapWithoutResult, SaysSoAndNotThatItReads) {
+    openIn();
+    EXPECT_TRUE(waitFor([this] { return map_->readout().startsWith("This take has no result yet."); }))
+        << map_->readout().toStdString();
+    EXPECT_FALSE(map_->readout().contains("Reading ranges"));
+}
+
 TEST(PairGridTest, CellsShareTheRoomAtAnySize) {
     Theme::install(*qApp);
     PairGrid grid;

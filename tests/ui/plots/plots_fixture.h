@@ -17,8 +17,7 @@ class PlotsFixture : public noctule::test::MadeTake {
 protected:
     void SetUp() override {
         MadeTake::SetUp();
-        addRuns("first");
-        addReference(0.1);
+        addResults();
         Theme::install(*qApp);
         QSettings().clear();
         StudioParts parts;
@@ -31,6 +30,10 @@ protected:
         MadeTake::TearDown();
     }
 
+    virtual void addResults() {
+        addRuns("first");
+        addReference(0.1);
+    }
     bool open() {
         studio_->take().open(QString::fromStdString(path()));
         return waitFor([this] { return studio_->take().isOpen() && studio_->time().duration() > 0; });

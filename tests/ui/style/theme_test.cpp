@@ -7,6 +7,8 @@
 #include <QAbstractItemView>
 #include <QComboBox>
 #include <QDir>
+#include <QDirIterator>
+#include <QFile>
 #include <QFontDatabase>
 #include <QFontInfo>
 #include <QFontMetrics>
@@ -14,10 +16,12 @@
 #include <QMenu>
 #include <QPainter>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTest>
 #include <QVBoxLayout>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "ui/style/icons.h"
@@ -122,6 +126,35 @@ TEST_F(ThemeTest, everyIconDrawsInTheAskedColour) {
                     EXPECT_EQ(QColor(image.pixel(x, y)).name().toStdString(), "#123456");
                 }
     }
+}
+
+/// As literals in the calls that draw an icon, or make a button with one.
+std::map<QString, QString> iconsThatTheSourcesName() {
+    const QRegularExpression calls[] = {
+        QRegularExpression(
+            R"re(\b(?:ToolButton|IconLabel|BigButton|drawIcon|icon)\(\s*(?:QStringLiteral\()?"([a-z0-9_]+)")re"),
+        QRegularExpression(
+            R"re(\bmakeButton\(\s*ButtonKind::\w+,\s*(?:tr\("[^"]*"[^()]*\)|\{\}|\w+),\s*"([a-z0-9_]+)")re")};
+    std::map<QString, QString> named;  // icon, one of the files
+    QDirIterator files(NOCTULE_SOURCE_DIR "/ui", {"*.cpp"}, QDir::Files, QDirIterator::Subdirectories);
+    while (files.hasNext()) {
+        QFile file(files.next());
+        if (!file.open(QFile::ReadOnly))
+            continue;
+        const QString text = QString::fromUtf8(file.readAll());
+        for (const QRegularExpression& call : calls)
+            for (auto match = call.globalMatch(text); match.hasNext();)
+                named.emplace(match.next().captured(1), file.fileName());
+    }
+    return named;
+}
+
+TEST_F(ThemeTest, everyIconThatTheSourcesNameIsThere) {
+    const auto named = iconsThatTheSourcesName();
+    EXPECT_GT(named.size(), 40u) << "the calls are no longer found";
+    for (const auto& [name, file] : named)
+        EXPECT_TRUE(QFile::exists(resourcePath("icons/" + name + ".svg")))
+            << name.toStdString() << " in " << file.toStdString();
 }
 
 TEST_F(ThemeTest, pictureOfAllIcons) {

@@ -168,6 +168,14 @@ TEST_F(ExportPageTest, AnyChangeBringsWriteBackAndReturnOpensNoFolder) {
     EXPECT_TRUE(page_->writeButton()->text().contains('1'));
     page_->form().frames->setCurrentIndex(page_->form().frames->findData(120.0));
     EXPECT_FALSE(page_->writeButton()->isVisible()) << "as it was written";
+    page_->form().also[ExportFormat::kGlb]->setChecked(true);
+    EXPECT_TRUE(page_->writeButton()->isVisible()) << "another format";
+    page_->form().also[ExportFormat::kGlb]->setChecked(false);
+    EXPECT_FALSE(page_->writeButton()->isVisible());
+    page_->form().run->setCurrentIndex(1);  // last of each take
+    EXPECT_TRUE(page_->writeButton()->isVisible()) << "another choice of results";
+    page_->form().run->setCurrentIndex(0);  // as shown
+    EXPECT_FALSE(page_->writeButton()->isVisible());
     page_->choosePreset("web");
     EXPECT_TRUE(page_->writeButton()->isVisible());
     QTest::keyClick(page_.get(), Qt::Key_Return);
