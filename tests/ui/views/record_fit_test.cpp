@@ -69,7 +69,7 @@ protected:
     bool offers(const QString& action) {
         for (const ProblemCard* card : page_->readiness().problems().cards())
             for (const Button* button : card->findChildren<Button*>())
-                if (button->text() == action && button->isVisible())
+                if (button->text() == action && !button->isHidden())
                     return true;
         return false;
     }
