@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-enum class Condition { kFinished, kBrokeOff, kBeingRecorded, kUnreadable };
+enum class Condition { kFinished, kBrokeOff, kBeingRecorded, kDamaged, kUnreadable };
 
 struct Candidate {
     std::string path;
@@ -32,7 +32,7 @@ Candidate lookAt(const std::string& path, bool is_named) {
         if (take && !isRecording(*take))
             return candidate;
         if (!take && !isThere(path + "-wal")) {
-            candidate.condition = Condition::kUnreadable;
+            candidate.condition = take.error().is_damage ? Condition::kDamaged : Condition::kUnreadable;
             candidate.error = take.error();
             return candidate;
         }
@@ -72,8 +72,10 @@ Outcome leftAlone(const Candidate& take, const std::string& state, const std::st
     return {{{"take", take.path}, {"state", state}}, take.path + ": " + why + "\n", std::nullopt};
 }
 
-Result<Outcome> recoverNow(const std::string& path, const std::string& target, const JobContext& job) {
-    if (const Status recovered = recoverTake(path, target, job); !recovered)
+Result<Outcome> recoverNow(const std::string& path, bool is_damaged, const std::string& target,
+                           const JobContext& job) {
+    const Status recovered = is_damaged ? saveReadable(path, target, job) : recoverTake(path, target, job);
+    if (!recovered)
         return recovered.error();
     nlohmann::json duration_s;
     char seconds[32] = "";
@@ -99,11 +101,12 @@ Result<Outcome> recoverOne(const Candidate& take, const JobContext& job) {
                 return Error{ErrorKind::kUsage, take.path + ": is being recorded right now",
                              "Stop the recording first, then there is nothing to recover"};
             return leftAlone(take, "being recorded", "is being recorded right now and was left alone");
+        case Condition::kDamaged:
         case Condition::kBrokeOff:
             break;
     }
     if (take.is_named || !isThere(target))
-        return recoverNow(take.path, target, job);
+        return recoverNow(take.path, take.condition == Condition::kDamaged, target, job);
     Outcome before = leftAlone(take, "recovered before", "was recovered before, see " + target);
     before.json["recovered"] = target;
     return before;
@@ -146,7 +149,7 @@ Verb recoverVerb() {
     verb.remarks = {
         "The result is NAME_recovered.noctule beside the recording, which stays as it is with its -wal. Of a "
         "folder all recordings that broke off are recovered, also those in its takes/; one that is being "
-        "recorded is left alone."};
+        "recorded is left alone. Of a damaged take that is named, all rows that can be read are saved."};
     verb.run = runRecover;
     return verb;
 }

@@ -82,6 +82,14 @@ void Database::harden(const Waiting& waiting) {
     sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
 }
 
+Status Database::tolerateDamage() {
+    sqlite3* handle = handle_.get();
+    if (sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 0, nullptr) != SQLITE_OK ||
+        sqlite3_db_config(handle, SQLITE_DBCONFIG_WRITABLE_SCHEMA, 1, nullptr) != SQLITE_OK)
+        return lastError();
+    return Done{};
+}
+
 void Database::Closer::operator()(sqlite3* handle) const {
     sqlite3_close_v2(handle);
 }

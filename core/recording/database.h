@@ -40,6 +40,9 @@ public:
     /// Makes a new, empty file; the path must not exist.
     static Result<Database> create(const std::string& path);
     void setPatience_s(double patience_s);
+    /// Reads files that are shorter than they say, and what is sound of a schema that is not. Only for rows
+    /// of a damaged file that is a copy.
+    Status tolerateDamage();
     /// The last failure was a lock of another program.
     bool isLocked() const;
 

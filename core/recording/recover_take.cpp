@@ -6,8 +6,11 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <filesystem>
 
+#include "core/job/atomic_file.h"
 #include "core/recording/database.h"
+#include "core/recording/salvage.h"
 #include "core/recording/take_copy.h"
 #include "core/recording/take_edit.h"
 
@@ -64,6 +67,34 @@ Status recoverTake(const std::string& recording, const std::string& recovered_pa
     if (const Status marked = markRecovered(copy->path()); !marked)
         return copy->named(marked.error());
     return copy->publish(false);
+}
+
+namespace {
+
+/// Until it is published.
+struct SavedAside {
+    std::string path;
+    ~SavedAside() {
+        std::error_code ignored;
+        for (const char* ending : {"", "-wal", "-shm", "-journal"})
+            std::filesystem::remove(path + ending, ignored);
+    }
+};
+
+}  // namespace
+
+Status saveReadable(const std::string& torn, const std::string& saved_path, const JobContext& job) {
+    // Of a copy: reading a file with a log beside it writes into it.
+    const Result<TakeCopy> copy = TakeCopy::make(torn, saved_path, job);
+    if (!copy)
+        return copy.error();
+    const SavedAside saved{asidePath(saved_path)};
+    if (const Status read = copyReadableRows(copy->path(), saved.path, job); !read)
+        return copy->named(read.error());
+    if (const Status marked = markRecovered(saved.path); !marked)
+        return Error{ErrorKind::kUnreadable, torn + ": too little of it can be read to make a take of it",
+                     "Use a copy of it, if there is one"};
+    return publishFile(saved.path, saved_path, false);
 }
 
 namespace {

@@ -205,7 +205,10 @@ Status recoverTake(Session& session, const std::string& name, const JobContext& 
     if (!take.canRecover())
         return Error{ErrorKind::kUsage, name + ": is finished already", "There is nothing to recover"};
     const fs::path safe = takePath(session, nextTakeName(session, name + "_recovered"));
-    if (const Status recovered = recoverTake(session.pathOf(take).string(), safe.string(), job); !recovered)
+    const std::string recording = session.pathOf(take).string();
+    const Status recovered = take.is_torn ? saveReadable(recording, safe.string(), job)
+                                          : recoverTake(recording, safe.string(), job);
+    if (!recovered)
         return recovered;
     // From here on nothing can be lost: at worst both stand side by side under their names.
     if (!moveToTrash(session, take.file).ok() || !moveTakeFiles(safe, session.pathOf(take)).ok()) {

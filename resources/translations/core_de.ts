@@ -5599,6 +5599,10 @@
         <translation>%1: meta subjects: %2</translation>
     </message>
     <message>
+        <source>%1: nothing in it can be read</source>
+        <translation>%1: darin lässt sich nichts lesen</translation>
+    </message>
+    <message>
         <source>%1: reading one row takes too long</source>
         <translation>%1: eine Zeile zu lesen dauert zu lange</translation>
     </message>
@@ -5625,6 +5629,10 @@
     <message>
         <source>%1: there is no such marker any more</source>
         <translation>%1: diese Marke gibt es nicht mehr</translation>
+    </message>
+    <message>
+        <source>%1: too little of it can be read to make a take of it</source>
+        <translation>%1: davon lässt sich zu wenig für eine Aufnahme lesen</translation>
     </message>
     <message>
         <source>%1: unexpected content%2</source>
@@ -5769,6 +5777,10 @@
     <message>
         <source>Run `noctule --batch recover` on it, which saves what can be read into a new file</source>
         <translation>`noctule --batch recover` darauf ausführen, das alles Lesbare in eine neue Datei rettet</translation>
+    </message>
+    <message>
+        <source>Use a copy of it, if there is one</source>
+        <translation>Eine Kopie davon verwenden, falls es eine gibt</translation>
     </message>
     <message>
         <source>Use a take whose suit table has it</source>

@@ -41,6 +41,17 @@ private:
     pid_t child_ = 0;
 };
 
+TEST(Recover, OfADamagedTakeWhatCanBeReadIsSaved) {
+    Folder folder;
+    const std::string torn = folder.file("walk_001.noctule"), whole = readBytes(kTinyTake);
+    writeBytes(torn, whole.substr(0, whole.size() / 2));
+    expectRefusal({"inspect", torn}, 3, {"noctule --batch recover"});
+    const Ran ran = batch({"recover", torn, "--json"});
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_EQ(ran.json()["takes"][0]["state"], "recovered");
+    EXPECT_EQ(batch({"inspect", folder.file("walk_001_recovered.noctule")}).exit_code, 0);
+}
+
 TEST(Recover, ABrokenTakeBecomesAFinishedOneAndStaysAsItIs) {
     Folder folder;
     const std::string broken = folder.file("walk_001.noctule");

@@ -68,7 +68,7 @@ void ReviewContext::saveReadable(const QString& path) {
         [path, name](const JobContext& job) -> Result<QString> {
             const std::filesystem::path folder = QFileInfo(path).absolutePath().toStdString();
             const std::string copy = nextTakePath(folder, name.toStdString() + "_recovered").string();
-            if (const Status saved = recoverTake(path.toStdString(), copy, job); !saved)
+            if (const Status saved = noctule::saveReadable(path.toStdString(), copy, job); !saved)
                 return saved.error();
             return QString::fromStdString(copy);
         },

@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "core/recording/recover_take.h"
 #include "core/recording/take_edit.h"
 #include "tests/core/recording/collect.h"
 
@@ -314,6 +315,39 @@ TEST(DamagedTake, TruncatedAnywhere) {
     ASSERT_FALSE(take);
     EXPECT_EQ(take.error().kind, ErrorKind::kUnreadable);
     EXPECT_NE(take.error().remedy.find("noctule --batch recover"), std::string::npos) << take.error().text();
+}
+
+TEST(DamagedTake, WhatCanBeReadOfHalfAFileIsATake) {
+    const Folder folder;
+    const std::string whole = test::readBytes(test::kTinyTake);
+    const std::string torn = folder.file("torn.noctule"), saved = folder.file("saved.noctule");
+    const std::string half = whole.substr(0, whole.size() / 2);
+    test::writeBytes(torn, half);
+    const Status done = saveReadable(torn, saved, {});
+    ASSERT_TRUE(done) << done.error().text();
+    EXPECT_EQ(test::readBytes(torn), half);
+    const auto take = Take::open(saved), before = Take::open(test::kTinyTake);
+    ASSERT_TRUE(take) << take.error().text();
+    EXPECT_EQ(take->meta().at("state"), "recovered");
+    EXPECT_EQ(take->meta().at("uuid"), before->meta().at("uuid"));
+    EXPECT_GT(*take->sampleCount(), *before->sampleCount() / 3);
+    EXPECT_LT(*take->sampleCount(), *before->sampleCount());
+    EXPECT_FALSE(saveReadable(torn, saved, {})) << "nothing is overwritten";
+}
+
+TEST(DamagedTake, OfATakeWithoutItsFirstPageNothingIsSaved) {
+    const Folder folder;
+    std::string bytes = test::readBytes(test::kTinyTake);
+    bytes.replace(100, 3996, 3996, '\xff');
+    const std::string torn = folder.file("torn.noctule"), saved = folder.file("saved.noctule");
+    test::writeBytes(torn, bytes);
+    const auto take = Take::open(torn);
+    ASSERT_FALSE(take);
+    EXPECT_TRUE(take.error().is_damage);
+    const Status done = saveReadable(torn, saved, {});
+    ASSERT_FALSE(done);
+    EXPECT_EQ(done.error().message, torn + ": nothing in it can be read");
+    EXPECT_FALSE(std::filesystem::exists(saved));
 }
 
 TEST(DamagedTake, FlippedBytes) {

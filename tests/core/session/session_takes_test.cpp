@@ -218,6 +218,21 @@ TEST_F(SessionTakes, DamagedRecordingIsLeftAsItIs) {
     EXPECT_FALSE(isThere(folder() / "trash" / "walk_001.noctule"));
 }
 
+TEST_F(SessionTakes, WhatCanBeReadOfATornTakeTakesItsPlace) {
+    newSession();
+    const Path path = makeTake(takes() / "walk_001.noctule");
+    fs::resize_file(path, fs::file_size(path) - 1000);
+    const std::string torn = text(path);
+    Session session = opened();
+    ASSERT_EQ(session.takes.size(), 1u);
+    ASSERT_TRUE(session.takes[0].is_torn) << session.takes[0].problem;
+    const Status recovered = recoverTake(session, "walk_001", {});
+    ASSERT_TRUE(recovered) << recovered.error().text();
+    EXPECT_EQ(session.takes[0].state, TakeState::kRecovered);
+    EXPECT_FALSE(session.takes[0].is_torn);
+    EXPECT_EQ(text(folder() / "trash" / "walk_001.noctule"), torn);
+}
+
 TEST_F(SessionTakes, RenamingMovesTheFileAndKeepsWhatWasSaid) {
     newSession();
     makeBrokenOff(takes() / "walk_001.noctule", 2);

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reads a damaged database row by row, as the take that it was.
+#pragma once
+
+#include <string>
+
+#include "core/job/job.h"
+
+namespace noctule {
+
+/// Makes the database `path` of all rows of the tables of a take that can be read in `torn`, which nobody
+/// else may have open. kUnreadable when there is none.
+Status copyReadableRows(const std::string& torn, const std::string& path, const JobContext& job);
+
+}  // namespace noctule
