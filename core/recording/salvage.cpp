@@ -81,9 +81,10 @@ Status attach(Database& database, const std::string& torn) {
 
 /// Whoever reads it has asked for what can be read already.
 Error inPlainWords(const Error& error, const std::string& torn) {
-    return error.is_damage ? Error{ErrorKind::kUnreadable, torn + ": nothing in it can be read",
-                                   "Use a copy of it, if there is one"}
-                           : error;
+    if (!error.is_damage)
+        return error;
+    return {ErrorKind::kUnreadable, torn + ": nothing in it can be read",
+            "Use a copy of it, if there is one"};
 }
 
 }  // namespace
