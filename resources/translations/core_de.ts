@@ -5655,10 +5655,6 @@
         <translation>AND sample BETWEEN %1 AND %2</translation>
     </message>
     <message>
-        <source>ATTACH ? AS torn</source>
-        <translation>ATTACH ? AS torn</translation>
-    </message>
-    <message>
         <source>Add the number of boards (1 to 32) to its meta table</source>
         <translation>Die Anzahl der Platinen (1 bis 32) in ihre Tabelle meta eintragen</translation>
     </message>
