@@ -111,9 +111,9 @@ void WizardResult::fill(const CalibrationDocument& document) {
     header_->setVerdict(
         is_judged ? toneOfGrade(grade) : Tone::kWarn,
         is_judged ? QStringLiteral("%1. %2.").arg(verdict_, coreWords(document.summary)) : verdict_,
-        document.findings.empty() ? tr("Nothing need be repeated.")
-                                  : tr("%n thing(s) to look at.", nullptr,
-                                       static_cast<int>(document.findings.size())));
+        document.findings.empty()
+            ? tr("Nothing need be repeated.")
+            : tr("%n thing(s) to look at.", nullptr, static_cast<int>(document.findings.size())));
     if (!document.numbers.empty()) {
         auto* numbers = new QWidget;
         auto* rows = makeColumn(numbers, {}, 8);
