@@ -98,7 +98,7 @@ TEST_F(TimelineTest, TheBarBelowSaysAsMuchAsHasRoomInEveryLanguage) {
             bar.resize(width, bar.sizeHint().height());
             QCoreApplication::processEvents();
             int shown = 0;
-            for (const QWidget* part : bar.findChildren<QWidget*>({}, Qt::FindDirectChildrenOnly))
+            for (const QWidget* part : bar.findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly))
                 if (part->isVisible()) {
                     ++shown;
                     EXPECT_GE(part->width(), part->minimumSizeHint().width())

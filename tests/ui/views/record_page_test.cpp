@@ -368,7 +368,7 @@ TEST_F(RecordPageTest, ShowsLevelsPairsAndReadiness) {
 }
 
 TEST_F(RecordPageTest, TheRunningTakeFollowsTheLastOneAndIsAloneHighlighted) {
-    TestBox box(kLooping);
+    TestBox box(looping());
     openSession();
     ASSERT_TRUE(connectTo(box));
     run().setOpensReview(false);
