@@ -94,11 +94,15 @@ Status copyReadableRows(const std::string& torn, const std::string& path, const 
     if (!database)
         return database.error();
     database->setDisplayName(torn);
-    if (const Status attached = attach(*database, torn); !attached)
-        return inPlainWords(attached.error(), torn);
     Result<TakeSchema> schema = TakeSchema::read(*database);
     if (!schema)
         return schema.error();
+    for (const TableDefinition& table :
+         takeTables())  // with the other file beside it each would seem to be there
+        if (const Status made = schema->complete(*database, table.name); !made)
+            return made;
+    if (const Status attached = attach(*database, torn); !attached)
+        return inPlainWords(attached.error(), torn);
     int64_t copied = 0;
     double done = 0;
     for (const TableDefinition& table : takeTables()) {
@@ -106,12 +110,12 @@ Status copyReadableRows(const std::string& torn, const std::string& path, const 
         const Result<std::string> columns = columnsIn(*database, table);
         if (!columns)
             return inPlainWords(columns.error(), torn);
-        if (columns->empty() && !table.required)
+        if (columns->empty()) {
+            if (!table.required)
+                if (const Status dropped = database->execute("DROP TABLE main." + table.name); !dropped)
+                    return dropped;
             continue;
-        if (const Status made = schema->complete(*database, table.name); !made)
-            return made;
-        if (columns->empty())
-            continue;
+        }
         const Result<int64_t> rows = copyTable(*database, table.name, *columns, job);
         if (!rows)
             return rows.error();
@@ -119,6 +123,11 @@ Status copyReadableRows(const std::string& torn, const std::string& path, const 
     }
     if (copied == 0)
         return inPlainWords({.is_damage = true}, torn);
+    // How long it was counts no more; the blocks tell how long it is.
+    if (const Status counted = database->execute(
+            "DELETE FROM main.meta WHERE key='sample_count' AND EXISTS(SELECT 1 FROM main.adc_block)");
+        !counted)
+        return counted;
     return database->close();
 }
 

@@ -122,6 +122,8 @@ void TransportBar::fitWords() {
     in_->setAccessibleName(tr("In %1").arg(in));
     out_->setAccessibleName(tr("Out %1").arg(out));
     marker_->setAccessibleName(tr("Marker"));
+    for (QWidget* part : findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly))
+        part->ensurePolished();  // else it measures another font
     for (int words = 3; words >= 0; --words) {
         length_->setVisible(words > 2);
         speed_label_->setVisible(words > 1);
