@@ -68,7 +68,6 @@ void TransportBar::place() {
     const auto place = [row] {
         const Theme& theme = Theme::get();
         row->setContentsMargins(theme.px(16), theme.px(8), theme.px(16), theme.px(8));
-        row->setSpacing(theme.px(8));
     };
     place();
     connect(&Theme::get(), &Theme::changed, this, place);
@@ -115,7 +114,8 @@ void TransportBar::refreshRange() {
     fitWords();
 }
 
-/// As many words as have room: first the length goes, then the label of the speed, then those on buttons.
+/// As many words as have room: first the length goes, then the label of the speed, then those on buttons,
+/// then air.
 void TransportBar::fitWords() {
     const TimeCursor& time = review_.time();
     const QString in = timeText(time.in(), 2), out = timeText(time.out(), 2);
@@ -124,7 +124,8 @@ void TransportBar::fitWords() {
     marker_->setAccessibleName(tr("Marker"));
     for (QWidget* part : findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly))
         part->ensurePolished();  // else it measures another font
-    for (int words = 3; words >= 0; --words) {
+    for (int words = 3; words >= -1; --words) {
+        layout()->setSpacing(Theme::get().px(words < 0 ? 4 : 8));
         length_->setVisible(words > 2);
         speed_label_->setVisible(words > 1);
         in_->setText(words > 0 ? tr("In %1").arg(in) : in);

@@ -91,7 +91,10 @@ TEST_F(TimelineTest, TheBarBelowSaysAsMuchAsHasRoomInEveryLanguage) {
     for (const char* language : {"de", "en"}) {
         chooseLanguage(studio_->settings(), language);
         applyLanguage(studio_->settings());
-        TransportBar bar(*studio_, *timeline_);
+        QWidget window;  // whose size the desktop has a say in; that of the bar it has not
+        window.resize(1000, 100);
+        window.show();
+        TransportBar bar(*studio_, *timeline_, &window);
         bar.show();
         int most = 0;
         for (int width = 540; width <= 1000; width += 3) {
