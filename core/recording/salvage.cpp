@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/recording/salvage.h"
 
+#include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -10,7 +12,6 @@
 namespace noctule {
 namespace {
 
-constexpr int64_t kLastRow = int64_t{1} << 40;  ///< beyond every row: the true last one may be unreadable
 /// Unreadable stretches in a row after which the rest of a table is given up, some seconds.
 constexpr int kMostFailures = 10'000;
 
@@ -32,12 +33,14 @@ Result<std::string> columnsIn(const Database& database, const TableDefinition& t
     }
 }
 
-/// Stretches of rows that cannot be read as a whole are halved, down to single rows.
+/// Stretches of rows that cannot be read as a whole are halved, down to single rows. The first is all there
+/// can be: which rows are the true ends may be unreadable.
 Result<int64_t> copyTable(const Database& database, const std::string& table, const std::string& columns,
                           const JobContext& job) {
     const std::string copy = "INSERT OR IGNORE INTO main." + table + "(" + columns + ") SELECT " + columns +
                              " FROM torn." + table + " NOT INDEXED WHERE rowid BETWEEN ";
-    std::vector<std::pair<int64_t, int64_t>> stretches{{1, kLastRow}};
+    std::vector<std::pair<int64_t, int64_t>> stretches{
+        {std::numeric_limits<int64_t>::min(), std::numeric_limits<int64_t>::max()}};
     int64_t copied = 0;
     for (int failures = 0; !stretches.empty() && failures < kMostFailures;) {
         if (job.cancelled())
@@ -57,7 +60,7 @@ Result<int64_t> copyTable(const Database& database, const std::string& table, co
         ++failures;
         if (first == last)
             continue;
-        const int64_t middle = first + (last - first) / 2;
+        const int64_t middle = std::midpoint(first, last);
         stretches.emplace_back(middle + 1, last);
         stretches.emplace_back(first, middle);
     }
@@ -79,12 +82,14 @@ Status attach(Database& database, const std::string& torn) {
     return attached->bind(0, std::string_view(torn)).run();
 }
 
-/// Whoever reads it has asked for what can be read already.
-Error inPlainWords(const Error& error, const std::string& torn) {
-    if (!error.is_damage)
-        return error;
+Error nothingReadable(const std::string& torn) {
     return {ErrorKind::kUnreadable, torn + ": nothing in it can be read",
             "Use a copy of it, if there is one"};
+}
+
+/// Whoever reads it has asked for what can be read already.
+Error inPlainWords(const Error& error, const std::string& torn) {
+    return error.is_damage ? nothingReadable(torn) : error;
 }
 
 }  // namespace
@@ -97,8 +102,8 @@ Status copyReadableRows(const std::string& torn, const std::string& path, const 
     Result<TakeSchema> schema = TakeSchema::read(*database);
     if (!schema)
         return schema.error();
-    for (const TableDefinition& table :
-         takeTables())  // with the other file beside it each would seem to be there
+    // Before the other file is beside it: then each would seem to be there.
+    for (const TableDefinition& table : takeTables())
         if (const Status made = schema->complete(*database, table.name); !made)
             return made;
     if (const Status attached = attach(*database, torn); !attached)
@@ -122,7 +127,7 @@ Status copyReadableRows(const std::string& torn, const std::string& path, const 
         copied += *rows;
     }
     if (copied == 0)
-        return inPlainWords({.is_damage = true}, torn);
+        return nothingReadable(torn);
     // How long it was counts no more; the blocks tell how long it is.
     if (const Status counted = database->execute(
             "DELETE FROM main.meta WHERE key='sample_count' AND EXISTS(SELECT 1 FROM main.adc_block)");

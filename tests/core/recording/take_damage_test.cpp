@@ -335,6 +335,29 @@ TEST(DamagedTake, WhatCanBeReadOfHalfAFileIsATake) {
     EXPECT_FALSE(saveReadable(torn, saved, {})) << "nothing is overwritten";
 }
 
+/// Other programs number rows as they like.
+TEST(DamagedTake, RowsOfEveryNumberAreSaved) {
+    const Folder folder;
+    const std::string whole = test::tinyTake(folder), saved = folder.file("saved.noctule");
+    test::runSql(whole,
+                 "UPDATE pulse SET id=0 WHERE id=(SELECT min(id) FROM pulse);"
+                 "UPDATE marker SET id=-id;"
+                 "UPDATE adc_block SET id=9223372036854775807 WHERE id=(SELECT max(id) FROM adc_block)");
+    const Status done = saveReadable(whole, saved, {});
+    ASSERT_TRUE(done) << done.error().text();
+    const auto take = Take::open(saved), before = Take::open(whole);
+    ASSERT_TRUE(take && before);
+    EXPECT_EQ(take->pulses()->size(), before->pulses()->size());
+    EXPECT_EQ(take->markers()->size(), before->markers()->size());
+    EXPECT_EQ(*take->sampleCount(), *before->sampleCount());
+    const auto blocks = [](const Take& of) {
+        int count = 0;
+        EXPECT_TRUE(of.forEachBlock(1, [&count](const auto&) { return ++count > 0; }));
+        return count;
+    };
+    EXPECT_EQ(blocks(*take), blocks(*before));
+}
+
 TEST(DamagedTake, OfATakeWithoutItsFirstPageNothingIsSaved) {
     const Folder folder;
     std::string bytes = test::readBytes(test::kTinyTake);

@@ -9,6 +9,11 @@
 namespace noctule::ui {
 namespace {
 
+/// They stand two in a row where their words stay readable so.
+bool isNarrow(const ReportFigure& plot) {
+    return plot.viewBox().width() < 600;
+}
+
 /// Walks the markup of one part and writes what QTextDocument understands.
 class Translator {
 public:
@@ -48,6 +53,9 @@ private:
         } else if (name == "div" && css_class == "cards") {
             out() += "<table class=\"cards\" width=\"100%\" cellspacing=\"8\" cellpadding=\"12\"><tr>";
             push("</tr></table>");
+        } else if (name == "div" && css_class == "pair") {
+            out() += "<p class=\"figure\">";  // they flow in it like words
+            push("</p>");
         } else if (name == "div" && css_class == "card") {
             out() += "<td class=\"card\" width=\"25%\">";
             push("</td>");
@@ -99,8 +107,8 @@ private:
                                   .arg(document_.figures.size())
                                   .arg(size.width())
                                   .arg(size.height());
-        out() += figure.kind() == ReportFigure::Kind::kPlot ? "<p class=\"figure\">" + image + "</p>"
-                                                            : image + " ";
+        const bool is_alone = figure.kind() == ReportFigure::Kind::kPlot && !isNarrow(figure);
+        out() += is_alone ? "<p class=\"figure\">" + image + "</p>" : image + " ";
         document_.figures.push_back(std::move(figure));
     }
 
@@ -127,9 +135,8 @@ QSize figureSize(const ReportFigure& figure, int page_width) {
     const QSizeF box = figure.viewBox();
     switch (figure.kind()) {
         case ReportFigure::Kind::kPlot: {
-            // Narrow ones stand two in a row.
-            const double share = box.width() < 600 ? 0.5 : 1;
-            const double width = page_width * share - (share < 1 ? 12 : 0);
+            const bool is_half = isNarrow(figure) && page_width > 1.7 * box.width();
+            const double width = is_half ? 0.5 * page_width - 12 : page_width;
             return QSizeF(width, width * box.height() / std::max(1.0, box.width())).toSize();
         }
         case ReportFigure::Kind::kBar:
