@@ -26,9 +26,9 @@ step "the main job, five seconds of motion" packaging/demo.sh --seconds 5
 printf '== times\n'
 printf '%s\n' "${times[@]}"
 echo "== all tests, release"
-# Two more than processors: the tests on screens wait for most of their time.
+# Three more than processors: the tests on screens wait for most of their time.
 result=0
-ctest --preset release --parallel $((jobs + 2)) --no-tests=error || result=$?
+ctest --preset release --parallel $((jobs + 3)) --no-tests=error || result=$?
 # A suite is one test of CTest: its single tests that failed, with what they said, are told last.
 failed=$(awk '/^\[ RUN / { said = "" } { said = said $0 "\n" } /^\[  FAILED  \] .* \([0-9]+ ms\)$/ { print said }' \
     build/release/Testing/Temporary/LastTest.log)

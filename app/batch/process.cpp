@@ -217,7 +217,7 @@ Status checkPointOptions(const Arguments& arguments) {
                                   "--points does not go with estimator " + estimator + ", which gives poses",
                                   "Leave out --points, or take --estimator comocap"})
                    : Done{};
-    for (const char* name : {"run-name", "out-dir", "select", "detector"})
+    for (const char* name : {"run-name", "out-dir", "select"})
         if (arguments.given(name))
             return Error{ErrorKind::kUsage,
                          "--" + std::string(name) + " does not go with estimator " + estimator +
@@ -239,13 +239,15 @@ Status checkPointOptions(const Arguments& arguments) {
 Result<Outcome> runPoints(const VerbContext& context, ProcessRequest request) {
     const Arguments& arguments = context.arguments;
     request.take_path = arguments.operands()[0];
+    const std::string path = arguments.text("points");
+    if (const auto folder = std::filesystem::path(path).parent_path(); !folder.empty())
+        request.tracker.spool_folder = folder.string();
     PointsTableWriter table;
     const auto summary = trackPoints(request, table.sink(), context.job());
     if (!summary)
         return summary.error();
     for (const std::string& warning : summary->warnings)
         context.console.warn(request.take_path + ": " + warning);
-    const std::string path = arguments.text("points");
     if (Status written = writeFileAtomically(path, table.text(), arguments.given("overwrite")); !written)
         return written.error();
     Outcome outcome;

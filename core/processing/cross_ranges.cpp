@@ -286,7 +286,7 @@ private:
                 "Check that they heard each other, or process with " + option};
     }
 
-    const Take& data() const { return joining_.measured ? *joining_.measured : take_; }
+    const Take& data() const { return joining_.dataOf(take_); }
 
     Status readDistances() {
         const int room = static_cast<int>(subjects_.size());

@@ -41,6 +41,8 @@ struct Joining {
     std::optional<Take> measured;          ///< of a take of sound: its readings and ranges
 
     bool joins() const { return !distances.empty(); }
+    /// Where its readings and ranges stand: in the take itself unless that holds sound.
+    const Take& dataOf(const Take& take) const { return measured ? *measured : take; }
     /// At least two anchors are heard. One alone leaves the heading free.
     bool roomHoldsWorld() const;
     /// Suit of a member.

@@ -13,7 +13,11 @@ class FlightReader {
 public:
     FlightReader(const Take& take, const std::vector<Ingredients>& subjects, const Joining& joining,
                  const RestAlignment& alignment, std::vector<std::string>& warnings)
-        : take_(take), subjects_(subjects), joining_(joining), alignment_(alignment), warnings_(warnings) {
+        : take_(joining.dataOf(take)),
+          subjects_(subjects),
+          joining_(joining),
+          alignment_(alignment),
+          warnings_(warnings) {
         if (joining.room)
             housings_ = joining.room->suit.housings();
     }

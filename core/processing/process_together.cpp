@@ -191,7 +191,7 @@ private:
         return first ? nextRange(lines_.back()) : first;
     }
 
-    const Take& data() const { return joining_.measured ? *joining_.measured : take_; }
+    const Take& data() const { return joining_.dataOf(take_); }
     size_t indexOf(const Line& line) const { return static_cast<size_t>(&line - lines_.data()); }
 
     static Status nextReading(Line& line) {

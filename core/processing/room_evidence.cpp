@@ -120,7 +120,7 @@ public:
 private:
     int roomSuit() const { return found_.room.subject.suit(); }
     /// With ranges: those of a take of sound have been measured.
-    const Take& data() const { return joining_.measured ? *joining_.measured : take_; }
+    const Take& data() const { return joining_.dataOf(take_); }
 
     void describeAnchors() {
         const Suit placed = placedSuit(found_.room.suit, found_.room.calibration);

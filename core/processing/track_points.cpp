@@ -42,8 +42,8 @@ public:
         joint.tracker = TrackerSettings{};
         if (subjects_.size() > 1 && request.between == Wanted::kAuto)
             joint.between = Wanted::kOn;  // what is in the way is an error here
-        auto joining =
-            joinSubjects(take_, joint, subjects_, clocks, joint.tracker.spool_folder, summary.warnings, job);
+        auto joining = joinSubjects(take_, joint, subjects_, clocks, request.tracker.spool_folder,
+                                    summary.warnings, job);
         if (!joining)
             return joining.error();
         joining_ = std::move(*joining);
@@ -402,9 +402,6 @@ Result<PointsSummary> trackPoints(const ProcessRequest& request, const PointsSin
     auto take = Take::open(request.take_path, Access::kRead, {job.cancel});
     if (!take)
         return take.error();
-    if (take->level() != TakeLevel::kReadings)
-        return unusableTake(*take, "it holds sound, from which ranges between suits are not measured yet",
-                            "Points can be had of takes that hold readings and ranges");
     PointTracker tracker(*take, request, sink);
     auto subjects = ingredientsOf(*take, request, tracker.summary.warnings);
     if (!subjects)

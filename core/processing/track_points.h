@@ -38,7 +38,8 @@ struct PointsSink {
     std::function<void(const PointsFrame&)> add;
 };
 
-/// `request.tracker.estimator` is one that givesPoints(). kUnusable when the take holds no such ranges, or no
+/// `request.tracker.estimator` is one that givesPoints(). Of a take of sound, ranges are measured first; they
+/// lie in the tracker's spool folder meanwhile. kUnusable when the take holds no such ranges, or no
 /// anchors for "environment".
 Result<PointsSummary> trackPoints(const ProcessRequest& request, const PointsSink& sink,
                                   const JobContext& job);

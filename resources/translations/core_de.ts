@@ -4876,10 +4876,6 @@
         <translation>Orientierung jedes Sensors</translation>
     </message>
     <message>
-        <source>Points can be had of takes that hold readings and ranges</source>
-        <translation>Punkte gibt es aus Aufnahmen mit Messwerten und Entfernungen</translation>
-    </message>
-    <message>
         <source>Points need them: take one that was recorded with anchors</source>
         <translation>Punkte brauchen sie: eine Aufnahme mit Ankern nehmen</translation>
     </message>
@@ -5282,10 +5278,6 @@
     <message>
         <source>it holds no ranges between its suits or to a room</source>
         <translation>sie enthält keine Entfernungen zwischen ihren Anzügen oder zu einem Raum</translation>
-    </message>
-    <message>
-        <source>it holds sound, from which ranges between suits are not measured yet</source>
-        <translation>sie enthält Schall, aus dem Punkte noch nicht gemessen werden</translation>
     </message>
     <message>
         <source>it reads no field</source>

@@ -133,6 +133,25 @@ TEST(CastProgram, TheSoundOfTwoJoinsThem) {
     }
 }
 
+TEST(CastProgram, PointsComeFromTheSoundOfTwo) {
+    SKIP_WITHOUT_MOTION();
+    const CastOfTwo two(R"(,"room":")" + kAnchors + "\"");
+    const std::string take = two.file("sound_002.noctule"), table = two.file("points.csv");
+    const Ran made = batch({"simulate", "--cast", two.cast(), "--out", take, "--level", "signal",
+                            "--duration", "2", "--rest-seconds", "1", "--seed", "4"});
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+    const Ran tracked = batch({"process", take, "--estimator", "comocap", "--points", table, "--json"});
+    ASSERT_EQ(tracked.exit_code, 0) << tracked.err;
+    const auto ranges = tracked.json()["ranges"];
+    for (const std::string kind : {"room", "own", "between"})
+        EXPECT_GT(ranges[kind], 1000) << ranges;
+    const Ran compared = batch({"evaluate", take, "--points", table, "--json"});
+    ASSERT_EQ(compared.exit_code, 0) << compared.err;
+    const auto found = compared.json()["tables"][0];
+    EXPECT_LT(found["rms_mm"], 15);
+    EXPECT_LT(found["between_rms_mm"], 20);
+}
+
 TEST(CastProgram, AMistakeLeavesNoTake) {
     SKIP_WITHOUT_MOTION();
     const CastOfTwo two;
