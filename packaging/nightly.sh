@@ -22,7 +22,7 @@ export TSAN_OPTIONS=halt_on_error=1:second_deadlock_stack=1
 
 # The test programs whose names match, of a build folder.
 test_targets() {
-    cmake --build "$1" --target help | grep -oE "\btest_$2\w*" | sort -u
+    cmake --build "$1" --target help | grep -oP "^test_$2\w*(?=: phony)" | sort -u
 }
 
 # Folder, pattern of the tests, more for ctest.
