@@ -103,13 +103,13 @@ public:
             first_ns_ = frame.time_ns;
         const double since_first_s = static_cast<double>(frame.time_ns - first_ns_) * 1e-9;
         result_.duration_s = since_first_s;
-        result_.time_s.push_back(static_cast<double>(frame.time_ns) * 1e-9);
-        drift_.add({estimate.q_world(common_[0]), estimate.p_world(common_[0])},
+        const double time_s = secondsOf(frame);
+        drift_.add(time_s, {estimate.q_world(common_[0]), estimate.p_world(common_[0])},
                    {reference.q_world(common_[0]), reference.p_world(common_[0])});
         Mean mean_rad;
         for (size_t i = 1; i < common_.size(); ++i)
             addJoint(i, frame, estimate, reference, since_first_s, mean_rad);
-        result_.mean_curve_deg.push_back(degrees(mean_rad.value().value_or(0)));
+        result_.mean_curve_deg.add(time_s, degrees(mean_rad.value().value_or(0)));
     }
 
     Comparison finish() {
@@ -165,23 +165,26 @@ private:
             if (sigma_rad[k] > kNoSigma_rad && std::isfinite(sigma_rad[k]))
                 record.nees.add(error_rad[k] * error_rad[k] / (sigma_rad[k] * sigma_rad[k]));
         if (record.curve)
-            addCurve(record, q_estimate, q_reference, frame.sigma_rad.empty() ? nullptr : &sigma_rad);
+            addCurve(record, secondsOf(frame), q_estimate, q_reference,
+                     frame.sigma_rad.empty() ? nullptr : &sigma_rad);
     }
 
-    static void addCurve(JointRecord& record, const Quaterniond& q_estimate, const Quaterniond& q_reference,
-                         const Vector3d* sigma_rad) {
+    static double secondsOf(const TimedPose& frame) { return static_cast<double>(frame.time_ns) * 1e-9; }
+
+    static void addCurve(JointRecord& record, double time_s, const Quaterniond& q_estimate,
+                         const Quaterniond& q_reference, const Vector3d* sigma_rad) {
         JointCurve& curve = *record.curve;
         record.last_reference_rad = anglesZxyNear(q_reference, record.last_reference_rad);
         const Vector3d angles_rad = anglesZxyNear(q_estimate, record.last_reference_rad);
         const Vector3d sigmas_rad = sigma_rad ? sigmaZxy(angles_rad, *sigma_rad) : Vector3d::Zero();
         for (size_t k = 0; k < 3; ++k) {
             const auto axis = static_cast<Eigen::Index>(k);
-            curve.estimate_deg[k].push_back(degrees(angles_rad[axis]));
-            curve.reference_deg[k].push_back(degrees(record.last_reference_rad[axis]));
+            curve.estimate_deg[k].add(time_s, degrees(angles_rad[axis]));
+            curve.reference_deg[k].add(time_s, degrees(record.last_reference_rad[axis]));
             if (sigma_rad)
-                curve.sigma_deg[k].push_back(degrees(sigmas_rad[axis]));
+                curve.sigma_deg[k].add(time_s, degrees(sigmas_rad[axis]));
         }
-        curve.difference_deg.push_back(degrees(angleBetween(q_estimate, q_reference)));
+        curve.difference_deg.add(time_s, degrees(angleBetween(q_estimate, q_reference)));
     }
 
     const Skeleton& estimate_;

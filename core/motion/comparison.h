@@ -8,6 +8,7 @@
 // Instants those of the estimate; the reference is interpolated to them and never across a longer hole.
 // Root     the unknown start of yaw and position is taken off at the first compared frame; what remains is
 //          drift. Yaw is about the vertical, tilt the angle between the two verticals.
+// Courses  of all frames that were compared, on the estimate's clock.
 // NEES     normalised estimation error squared per freedom: the mean over joints, components and time of
 //          (component of the error's rotation vector / its sigma)^2, right perturbation, variances only. 1
 //          when the sigmas are honest, more when the filter is too sure. Components without a sigma (an axis
@@ -17,6 +18,7 @@
 #include <array>
 #include <limits>
 
+#include "core/motion/course.h"
 #include "core/motion/segment_match.h"
 #include "core/motion/time_offset.h"
 
@@ -29,7 +31,7 @@ struct ComparisonOptions {
     std::optional<int64_t> reference_offset_ns;  ///< a known shift instead
     /// Frames of the reference's segments are found (segment_match.h). Off: axes and zero pose as ours.
     bool match_segments = true;
-    bool curves = true;  ///< of every compared joint, as in figure 6; 1.4 kB a frame
+    bool curves = true;  ///< of every compared joint, as in figure 6; 17 MB at most
 };
 
 /// Of an angle over time, in degrees.
@@ -48,19 +50,18 @@ struct JointComparison {
     std::optional<double> nees;  ///< of this joint
 };
 
-/// Figure 6 for one joint; all arrays as long as Comparison::time_s. Angles z, x, y of joint_angles.h,
-/// without jumps: they may leave +-180 degrees.
+/// Figure 6 for one joint. Angles z, x, y of joint_angles.h, without jumps: they may leave +-180 degrees.
 struct JointCurve {
     std::string name;
-    std::array<std::vector<double>, 3> estimate_deg, reference_deg;
-    std::array<std::vector<double>, 3> sigma_deg;  ///< empty when the estimate carries no sigma
-    std::vector<double> difference_deg;            ///< geodesic
+    std::array<Course, 3> estimate_deg, reference_deg;
+    std::array<Course, 3> sigma_deg;  ///< empty when the estimate carries no sigma
+    Course difference_deg;            ///< geodesic
 };
 
 /// Root mean squares of the drift, and its course.
 struct RootComparison {
     double yaw_deg = 0, tilt_deg = 0, position_m = 0;
-    std::vector<double> yaw_curve_deg, tilt_curve_deg, position_curve_m;  ///< yaw signed
+    Course yaw_curve_deg, tilt_curve_deg, position_curve_m;  ///< yaw signed
 };
 
 /// Which joint of the reference was compared with which of ours.
@@ -85,8 +86,7 @@ struct Comparison {
     int64_t unmatched = 0;          ///< frames of the estimate where the reference has none near enough
     TimeOffset offset;              ///< as applied; correlation 0 when none was looked for
     std::optional<TimeOffset> refused_offset;  ///< looked for, found and not trusted
-    std::vector<double> time_s;                ///< of every compared frame, on the estimate's clock
-    std::vector<double> mean_curve_deg;        ///< mean over joints of the angle
+    Course mean_curve_deg;                     ///< mean over joints of the angle
     std::vector<JointCurve> curves;            ///< in the order of `joints`
 
     const JointComparison* find(const std::string& name) const;

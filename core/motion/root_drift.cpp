@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/motion/root_drift.h"
 
+#include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <numbers>
 
 #include "core/math/rotation.h"
 
@@ -14,16 +15,9 @@ double yawOf(const Quaterniond& q) {
     return std::remainder(2 * std::atan2(q.y(), q.w()), 2 * std::numbers::pi);
 }
 
-double rootMeanSquare(const std::vector<double>& values) {
-    if (values.empty())
-        return 0;
-    const double squares = std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
-    return std::sqrt(squares / static_cast<double>(values.size()));
-}
-
 }  // namespace
 
-void RootDrift::add(const RootState& estimate, const RootState& reference) {
+void RootDrift::add(double time_s, const RootState& estimate, const RootState& reference) {
     if (!first_estimate_) {
         first_estimate_ = estimate;
         first_reference_ = reference;
@@ -36,15 +30,20 @@ void RootDrift::add(const RootState& estimate, const RootState& reference) {
         q_reference_estimate_ * (estimate.p_world_root_m - first_estimate_->p_world_root_m);
     const Vector3d reference_moved_m = reference.p_world_root_m - first_reference_->p_world_root_m;
     const Vector3d up = error * Vector3d::UnitY();
-    result_.yaw_curve_deg.push_back(degrees(yawOf(error)));
-    result_.tilt_curve_deg.push_back(degrees(std::atan2(std::hypot(up.x(), up.z()), up.y())));
-    result_.position_curve_m.push_back((moved_m - reference_moved_m).norm());
+    const Vector3d apart{degrees(yawOf(error)), degrees(std::atan2(std::hypot(up.x(), up.z()), up.y())),
+                         (moved_m - reference_moved_m).norm()};
+    result_.yaw_curve_deg.add(time_s, apart[0]);
+    result_.tilt_curve_deg.add(time_s, apart[1]);
+    result_.position_curve_m.add(time_s, apart[2]);
+    squares_ += apart.cwiseAbs2();
+    ++frames_;
 }
 
 RootComparison RootDrift::finish() {
-    result_.yaw_deg = rootMeanSquare(result_.yaw_curve_deg);
-    result_.tilt_deg = rootMeanSquare(result_.tilt_curve_deg);
-    result_.position_m = rootMeanSquare(result_.position_curve_m);
+    const Vector3d root_mean_square = (squares_ / std::max(1.0, frames_)).cwiseSqrt();
+    result_.yaw_deg = root_mean_square[0];
+    result_.tilt_deg = root_mean_square[1];
+    result_.position_m = root_mean_square[2];
     return std::move(result_);
 }
 

@@ -14,12 +14,14 @@ struct RootState {
 
 class RootDrift {
 public:
-    void add(const RootState& estimate, const RootState& reference);
+    void add(double time_s, const RootState& estimate, const RootState& reference);
     RootComparison finish();
 
 private:
     std::optional<RootState> first_estimate_, first_reference_;
-    Quaterniond q_reference_estimate_;  // about the vertical, from the first frame
+    Quaterniond q_reference_estimate_;     // about the vertical, from the first frame
+    Vector3d squares_ = Vector3d::Zero();  // yaw, tilt, position
+    double frames_ = 0;
     RootComparison result_;
 };
 

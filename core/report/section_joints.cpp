@@ -7,6 +7,7 @@
 
 #include "core/body/text.h"
 #include "core/report/angle_names.h"
+#include "core/report/course_points.h"
 #include "core/report/html.h"
 #include "core/report/sections.h"
 #include "core/report/svg_plot.h"
@@ -58,28 +59,15 @@ std::string jointTable(const Comparison& c) {
     return html::table(table);
 }
 
-/// Within (-180, 180] degrees; where a curve goes round, a hole stands instead of a stroke across the plot.
-std::vector<double> wrapped(const std::vector<double>& angles_deg) {
-    std::vector<double> within;
-    within.reserve(angles_deg.size());
-    double before = NAN;
-    for (const double angle_deg : angles_deg) {
-        const double turned = angle_deg - 360 * std::ceil((angle_deg - 180) / 360);
-        within.push_back(std::abs(turned - before) > 180 ? NAN : turned);
-        before = turned;
-    }
-    return within;
-}
-
 /// Half as wide, two in a row, without legend and band: of the joints that are folded away, or else the page
 /// of a long take would grow beyond 3 MB.
 enum class PlotSize { kWhole, kHalf };
 
 /// One angle of figure 6.
-std::string anglePlot(const JointCurve& curve, size_t axis, PlotSize size, const Comparison& c,
-                      const ReportData& data) {
-    const std::vector<double> estimate_deg = wrapped(curve.estimate_deg[axis]);
-    const std::vector<double> reference_deg = wrapped(curve.reference_deg[axis]);
+std::string anglePlot(const JointCurve& curve, size_t axis, PlotSize size, const ReportData& data) {
+    const CoursePoints estimate_deg =
+        withinHalfTurn(pointsOf(curve.estimate_deg[axis], curve.sigma_deg[axis]));
+    const CoursePoints reference_deg = withinHalfTurn(pointsOf(curve.reference_deg[axis]));
     const bool is_whole = size == PlotSize::kWhole;
     LinePlot plot;
     const std::string name = anatomicalAngle(curve.name, axis);
@@ -88,46 +76,44 @@ std::string anglePlot(const JointCurve& curve, size_t axis, PlotSize size, const
     plot.description = is_whole ? "Estimate and reference over time; the band is two sigma of the estimate"
                                 : "Estimate and reference over time";
     plot.time_s = takeInterval(data);
-    plot.values = niceInterval({estimate_deg, reference_deg}, 10);
+    plot.values = niceInterval({estimate_deg.values, reference_deg.values}, 10);
     plot.values = {std::max(plot.values.min, -180.0), std::min(plot.values.max, 180.0)};
     plot.unit = "°";
     plot.height_px = is_whole ? 96 : 72;
     plot.width_px = is_whole ? kPlotWidth_px : kHalfWidth_px;
     plot.time_labels = false;
-    std::vector<double> two_sigma_deg;
-    for (const double sigma_deg : curve.sigma_deg[axis])
-        if (is_whole)
-            two_sigma_deg.push_back(2 * sigma_deg);
-    if (!two_sigma_deg.empty())
-        plot.bands.push_back({c.time_s, estimate_deg, two_sigma_deg});
-    const std::string estimate = two_sigma_deg.empty() ? "estimate" : "estimate with 2 sigma";
-    plot.curves.push_back({c.time_s, estimate_deg, "estimate", is_whole ? estimate : ""});
-    plot.curves.push_back({c.time_s, reference_deg, "reference", is_whole ? "reference" : ""});
+    const bool has_band = is_whole && !curve.sigma_deg[axis].stretches().empty();
+    if (has_band)
+        plot.bands.push_back({estimate_deg.time_s, estimate_deg.values, estimate_deg.half_width});
+    const std::string estimate = has_band ? "estimate with 2 sigma" : "estimate";
+    plot.curves.push_back({estimate_deg.time_s, estimate_deg.values, "estimate", is_whole ? estimate : ""});
+    plot.curves.push_back(
+        {reference_deg.time_s, reference_deg.values, "reference", is_whole ? "reference" : ""});
     return svg(plot);
 }
 
-std::string differencePlot(const JointCurve& curve, PlotSize size, const Comparison& c,
-                           const ReportData& data) {
+std::string differencePlot(const JointCurve& curve, PlotSize size, const ReportData& data) {
+    const CoursePoints difference_deg = pointsOf(curve.difference_deg);
     LinePlot plot;
     plot.title = text::jointLabel(curve.name) + ", orientation difference";
     plot.description = "Angle between the estimated and the reference orientation over time";
     plot.time_s = takeInterval(data);
-    plot.values = niceInterval({curve.difference_deg}, 1);
+    plot.values = niceInterval({difference_deg.values}, 1);
     plot.values = {0, std::min(plot.values.max, 180.0)};
     plot.value_decimals = plot.values.max < 4 ? 1 : 0;
     plot.unit = "°";
     plot.height_px = 72;
     plot.width_px = size == PlotSize::kWhole ? kPlotWidth_px : kHalfWidth_px;
-    plot.curves.push_back({c.time_s, curve.difference_deg, "error", ""});
+    plot.curves.push_back({difference_deg.time_s, difference_deg.values, "error", ""});
     return svg(plot);
 }
 
-std::string jointPlots(const JointCurve& curve, PlotSize size, const Comparison& c, const ReportData& data) {
+std::string jointPlots(const JointCurve& curve, PlotSize size, const ReportData& data) {
     std::string out = html::heading(text::jointLabel(curve.name) + " against the reference") +
                       (size == PlotSize::kWhole ? "<div class=\"scroll\">" : "<div class=\"pair\">");
     for (size_t axis = 0; axis < 3; ++axis)
-        out += anglePlot(curve, axis, size, c, data);
-    return out + differencePlot(curve, size, c, data) + "</div>";
+        out += anglePlot(curve, axis, size, data);
+    return out + differencePlot(curve, size, data) + "</div>";
 }
 
 /// The three that err most, and those of the paper's figure 6.
@@ -170,9 +156,9 @@ std::string allCurves(const Comparison& c, const ReportData& data) {
     std::array<std::string, std::size(kBodyParts)> folded;
     for (const JointCurve& curve : c.curves)
         if (at_once.contains(curve.name))
-            open += jointPlots(curve, PlotSize::kWhole, c, data);
+            open += jointPlots(curve, PlotSize::kWhole, data);
         else
-            folded[bodyPartOf(curve.name)] += jointPlots(curve, PlotSize::kHalf, c, data);
+            folded[bodyPartOf(curve.name)] += jointPlots(curve, PlotSize::kHalf, data);
     for (size_t part = 0; part < folded.size(); ++part)
         if (!folded[part].empty())
             open += html::folded(kBodyParts[part], folded[part]);
@@ -224,16 +210,17 @@ std::string rootSection(const ReportData& data) {
     plot.time_s = takeInterval(data);
     plot.height_px = 84;
     plot.time_labels = false;
-    const auto draw = [&](const char* title, const std::vector<double>& values, const char* unit,
-                          double least, int decimals, bool is_signed) {
+    const auto draw = [&](const char* title, const Course& course, const char* unit, double least,
+                          int decimals, bool is_signed) {
+        const CoursePoints points = pointsOf(course);
         plot.title = title;
         plot.description = "Difference to the reference over time";
-        plot.values = niceInterval({values}, least);
+        plot.values = niceInterval({points.values}, least);
         if (!is_signed)
             plot.values = {0, std::max(plot.values.max, least)};
         plot.unit = unit;
         plot.value_decimals = decimals;
-        plot.curves = {{c.time_s, values, "error", ""}};
+        plot.curves = {{points.time_s, points.values, "error", ""}};
         body += svg(plot);
     };
     body += "<div class=\"scroll\">";

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <deque>
 
 #include "core/body/text.h"
+#include "core/report/course_points.h"
 #include "core/report/html.h"
 #include "core/report/paper_table.h"
 #include "core/report/sections.h"
@@ -80,11 +82,12 @@ std::string errorPlot(const std::vector<const ReportRun*>& runs, const std::stri
     plot.unit = "°";
     plot.height_px = 160;
     std::vector<std::span<const double>> all;
+    std::deque<CoursePoints> courses;  // the plot looks at them
     for (size_t i = runs.size() - std::min(runs.size(), kMostCurves); i < runs.size(); ++i) {
-        const Comparison& c = *runs[i]->comparison;
+        const CoursePoints& mean_deg = courses.emplace_back(pointsOf(runs[i]->comparison->mean_curve_deg));
         plot.curves.push_back(
-            {c.time_s, c.mean_curve_deg, "run" + std::to_string(runs.size() - 1 - i), runs[i]->name});
-        all.emplace_back(c.mean_curve_deg);
+            {mean_deg.time_s, mean_deg.values, "run" + std::to_string(runs.size() - 1 - i), runs[i]->name});
+        all.emplace_back(mean_deg.values);
     }
     plot.values = niceInterval(all, 1);
     plot.values.min = 0;

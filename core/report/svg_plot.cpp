@@ -19,6 +19,11 @@ double map(double value, const Interval& from, const Interval& to) {
     return to.min + std::clamp(fraction, 0.0, 1.0) * to.span();
 }
 
+/// Holes that are narrower than a pixel column cannot be seen; courses of long takes are that coarse.
+bool isHole(double from_s, double to_s, const Interval& time_s, const Interval& x_px) {
+    return to_s - from_s > std::max(kHole_s, time_s.span() / x_px.span());
+}
+
 std::string point(double x, double y) {
     return text::coordinate(x) + " " + text::coordinate(y);
 }
@@ -196,7 +201,7 @@ std::string decimatedPath(std::span<const double> time_s, std::span<const double
             writer.lift();
             continue;
         }
-        if (time_s[i] - last_s > kHole_s)
+        if (isHole(last_s, time_s[i], time, x_px))
             writer.lift();
         last_s = time_s[i];
         writer.add(map(time_s[i], time, x_px), values[i], i);

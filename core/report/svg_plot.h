@@ -57,8 +57,8 @@ std::vector<double> ticks(const Interval& interval, int most);
 std::vector<double> timeTicks(const Interval& time_s);
 std::string timeLabel(double time_s, const Interval& interval_s);
 
-/// Extremes of the values per pixel column, in time order; holes longer than 0.25 s and non-finite values
-/// break the path. Coordinates are clipped to the plot's height.
+/// Extremes of the values per pixel column, in time order; holes longer than 0.25 s and a column, and
+/// non-finite values, break the path. Coordinates are clipped to the plot's height.
 std::string decimatedPath(std::span<const double> time_s, std::span<const double> values,
                           const Interval& time, const Interval& value, const Interval& x_px,
                           const Interval& y_px);

@@ -22,6 +22,11 @@ const JointCurve& curveOf(const Comparison& comparison, const std::string& joint
     return *std::ranges::find(comparison.curves, joint, &JointCurve::name);
 }
 
+/// Of a course that is short enough to hold every frame.
+double valueAt(const Course& course, size_t frame) {
+    return course.stretches().at(frame).first;
+}
+
 TEST(Comparison, EqualMotionsDifferByNothing) {
     const TimedMotion motion = swinging(skeleton(), 4, 140);
     const Comparison c = compared(motion, motion);
@@ -87,9 +92,9 @@ TEST(Comparison, SignsOfQuaternionsHaveNoEffect) {
     EXPECT_NEAR(after.mean_deg, before.mean_deg, 1e-9);
     EXPECT_NEAR(after.root.yaw_deg, before.root.yaw_deg, 1e-9);
     for (size_t k = 0; k < 3; ++k)
-        for (size_t i = 0; i < after.time_s.size(); ++i)
-            ASSERT_NEAR(curveOf(after, "Head").reference_deg[k][i],
-                        curveOf(before, "Head").reference_deg[k][i], 1e-6);
+        for (size_t i = 0; i < static_cast<size_t>(after.frames); ++i)
+            ASSERT_NEAR(valueAt(curveOf(after, "Head").reference_deg[k], i),
+                        valueAt(curveOf(before, "Head").reference_deg[k], i), 1e-6);
 }
 
 TEST(Comparison, OnlyTheWindowCounts) {
@@ -102,7 +107,7 @@ TEST(Comparison, OnlyTheWindowCounts) {
     const Comparison c = compared(estimate, reference, options);
     EXPECT_EQ(c.frames, 201);
     EXPECT_NEAR(c.find("Head")->angle.max_deg, degrees(0.01), 1e-6);
-    EXPECT_NEAR(c.time_s.front(), 3, 1e-9);
+    EXPECT_NEAR(c.mean_curve_deg.stretches().front().time_s, 3, 1e-9);
 }
 
 TEST(Comparison, MissingFramesAreSkippedAndCountedAndNeverBridgedFar) {
@@ -218,18 +223,41 @@ TEST(Comparison, CurvesHoldAnglesSigmaAndDifference) {
     for (size_t i = 0; i < c.joints.size(); ++i)
         EXPECT_EQ(c.curves[i].name, c.joints[i].name);
     const JointCurve& arm = curveOf(c, "RightArm");
-    for (size_t i = 0; i < c.time_s.size(); ++i) {
-        ASSERT_NEAR(arm.difference_deg[i], 4, 1e-6);
+    for (size_t i = 0; i < static_cast<size_t>(c.frames); ++i) {
+        ASSERT_NEAR(valueAt(arm.difference_deg, i), 4, 1e-6);
         // Y comes last in Z-X-Y, so a right turn about Y changes that angle alone.
-        ASSERT_NEAR(arm.estimate_deg[2][i] - arm.reference_deg[2][i], 4, 1e-6);
-        ASSERT_NEAR(arm.estimate_deg[0][i] - arm.reference_deg[0][i], 0, 1e-6);
-        ASSERT_GE(arm.sigma_deg[2][i], 0.99);
+        ASSERT_NEAR(valueAt(arm.estimate_deg[2], i) - valueAt(arm.reference_deg[2], i), 4, 1e-6);
+        ASSERT_NEAR(valueAt(arm.estimate_deg[0], i) - valueAt(arm.reference_deg[0], i), 0, 1e-6);
+        ASSERT_GE(valueAt(arm.sigma_deg[2], i), 0.99);
     }
-    EXPECT_EQ(arm.sigma_deg[0].size(), c.time_s.size());
+    EXPECT_EQ(arm.sigma_deg[0].stretches().size(), 200u);
 
     ComparisonOptions without;
     without.curves = false;
     EXPECT_TRUE(compared(estimate, reference, without).curves.empty());
+}
+
+TEST(Comparison, CurvesOfLongMotionsAreBoundedAndKeepThePeakOfOneFrame) {
+    TimedMotion reference{skeleton(), {}};
+    const Pose pose = skeleton().zeroPose();
+    for (int i = 0; i < 10'000; ++i)
+        reference.frames.push_back({i * kSecond_ns / 120, pose, {}});
+    TimedMotion estimate = reference;
+    const auto arm = static_cast<size_t>(skeleton().find("RightArm"));
+    estimate.frames[7'531].pose->q_parent_joint[arm] = axisAngle(Vector3d::UnitY(), radians(40));
+    for (TimedPose& frame : estimate.frames)
+        frame.sigma_rad.assign(3 * skeleton().joints().size(), radians(1));
+    const Comparison c = compared(estimate, reference);
+    EXPECT_EQ(c.frames, 10'000);
+    const JointCurve& curve = curveOf(c, "RightArm");
+    for (const Course* course : {&curve.estimate_deg[0], &curve.reference_deg[1], &curve.sigma_deg[2],
+                                 &curve.difference_deg, &c.mean_curve_deg, &c.root.yaw_curve_deg})
+        EXPECT_LE(course->stretches().size(), Course::kMost);
+    double largest_deg = 0;
+    for (const Course::Stretch& stretch : curve.difference_deg.stretches())
+        largest_deg = std::max({largest_deg, stretch.first, stretch.second});
+    EXPECT_NEAR(largest_deg, 40, 1e-6);
+    EXPECT_NEAR(c.find("RightArm")->angle.mean_deg, 40.0 / 10'000, 1e-9) << "figures are of all frames";
 }
 
 TEST(Comparison, ReferenceOnAnotherClockIsAligned) {

@@ -161,9 +161,12 @@ TEST(HtmlReport, EveryJointHasItsCurvesAndNoAngleLeavesHalfATurn) {
     ReportData data = madeReport(20);
     Comparison& c = *data.runs.back().comparison;
     for (JointCurve& curve : c.curves)
-        if (curve.name == "LeftUpLeg")
-            for (size_t i = 0; i < c.time_s.size(); ++i)
-                curve.estimate_deg[0][i] = curve.reference_deg[0][i] = -100 - 0.2 * static_cast<double>(i);
+        if (curve.name == "LeftUpLeg") {
+            Course turning_deg;
+            for (const Course::Stretch& stretch : c.mean_curve_deg.stretches())
+                turning_deg.add(stretch.time_s, -60 - 12 * stretch.time_s);
+            curve.estimate_deg[0] = curve.reference_deg[0] = turning_deg;
+        }
     const std::string joints = jointsSection(data);
     for (const JointComparison& joint : c.joints)
         EXPECT_TRUE(
