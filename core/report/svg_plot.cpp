@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 #include "core/body/text.h"
 
@@ -102,32 +102,45 @@ std::string label(double x, double y, const char* css_class, const std::string& 
            "\">" + content + "</text>";
 }
 
-/// The band's upper edge forth and its lower edge back; one polygon, so holes are bridged.
+struct BandColumn {
+    int index;
+    Interval edge;
+};
+
+/// The upper edge forth and the lower edge back.
+std::string bandPolygon(const std::vector<BandColumn>& columns, const LinePlot& plot, const Area& area) {
+    const auto corner = [&](const BandColumn& column, double value) {
+        return point(area.x.min + column.index + 0.5, map(value, plot.values, {area.y.max, area.y.min}));
+    };
+    std::string d;
+    for (const BandColumn& column : columns)
+        d += (d.empty() ? "M" : " ") + corner(column, column.edge.max);
+    for (auto column = columns.rbegin(); column != columns.rend(); ++column)
+        d += " " + corner(*column, column->edge.min);
+    return d.empty() ? "" : d + "Z";
+}
+
+/// One polygon for every unbroken part of the curve.
 std::string bandPath(const PlotBand& band, const LinePlot& plot, const Area& area) {
-    std::vector<double> upper, lower;
+    std::string d;
+    std::vector<BandColumn> part;
+    double last_s = -INFINITY;
     for (size_t i = 0; i < band.middle.size(); ++i) {
-        upper.push_back(band.middle[i] + band.half_width[i]);
-        lower.push_back(band.middle[i] - band.half_width[i]);
-    }
-    const int columns = static_cast<int>(area.x.span());
-    std::vector<Interval> edges(static_cast<size_t>(columns) + 1, {INFINITY, -INFINITY});
-    for (size_t i = 0; i < upper.size(); ++i) {
-        if (!std::isfinite(upper[i]) || !std::isfinite(lower[i]))
+        const double time_s = band.time_s[i];
+        const Interval edge{band.middle[i] - band.half_width[i], band.middle[i] + band.half_width[i]};
+        const bool is_known = std::isfinite(edge.min) && std::isfinite(edge.max);
+        if (!is_known || isHole(last_s, time_s, plot.time_s, area.x))
+            d += bandPolygon(std::exchange(part, {}), plot, area);
+        if (!is_known)
             continue;
-        const double x = map(band.time_s[i], plot.time_s, area.x) - area.x.min;
-        Interval& edge = edges[static_cast<size_t>(x)];
-        edge = {std::min(edge.min, lower[i]), std::max(edge.max, upper[i])};
+        last_s = time_s;
+        const int index = static_cast<int>(map(time_s, plot.time_s, area.x) - area.x.min);
+        if (part.empty() || part.back().index != index)
+            part.push_back({index, edge});
+        Interval& widened = part.back().edge;
+        widened = {std::min(widened.min, edge.min), std::max(widened.max, edge.max)};
     }
-    std::string forth, back;
-    for (size_t i = 0; i < edges.size(); ++i) {
-        if (edges[i].min > edges[i].max)
-            continue;
-        const double x = area.x.min + static_cast<double>(i) + 0.5;
-        const Interval flipped{area.y.max, area.y.min};
-        forth += (forth.empty() ? "M" : " ") + point(x, map(edges[i].max, plot.values, flipped));
-        back.insert(0, " " + point(x, map(edges[i].min, plot.values, flipped)));
-    }
-    return forth.empty() ? "" : forth + back + "Z";
+    return d + bandPolygon(part, plot, area);
 }
 
 /// Short strokes with round ends; at most two per column and class, which looks the same.

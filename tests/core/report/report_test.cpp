@@ -184,6 +184,8 @@ TEST(HtmlReport, EveryJointHasItsCurvesAndNoAngleLeavesHalfATurn) {
     const std::string plot = joints.substr(hip, joints.find("</svg>", hip) - hip);
     const std::string curve = plot.substr(plot.rfind("<path class=\"reference\""));
     EXPECT_EQ(std::count(curve.begin(), curve.end(), 'M'), 2) << "it breaks where it goes round";
+    const std::string band = plot.substr(plot.find("<path class=\"band\""));
+    EXPECT_EQ(std::count(band.begin(), band.end(), 'Z'), 2) << "and so does its band";
 }
 
 TEST(HtmlReport, FewEchoesFrightenNobody) {
@@ -338,6 +340,26 @@ TEST(SvgPlot, DecimationKeepsExtremesAndBreaksAtHoles) {
     EXPECT_TRUE(has(path, " 0 ")) << "the single spike reaches the top";
     EXPECT_LT(path.size(), 16000u);
     EXPECT_FALSE(std::regex_search(path, std::regex("[^-M0-9. ]")));
+}
+
+TEST(SvgPlot, ABandBreaksWhereItsCurveBreaks) {
+    std::vector<double> time_s, middle, half_width(600, 5);
+    for (int i = 0; i < 600; ++i) {
+        time_s.push_back(0.02 * i + (i < 400 ? 0 : 2));  // a hole of two seconds
+        middle.push_back(i < 200 ? 170 : -170);
+    }
+    middle[200] = NAN;  // it goes round
+    LinePlot plot;
+    plot.time_s = {0, 14};
+    plot.values = {-180, 180};
+    plot.bands.push_back({time_s, middle, half_width});
+    std::string band = svg(plot);
+    band = band.substr(band.find("<path class=\"band\" d=\""));
+    band = band.substr(0, band.find("/>"));
+    EXPECT_EQ(std::count(band.begin(), band.end(), 'M'), 3);
+    EXPECT_EQ(std::count(band.begin(), band.end(), 'Z'), 3);
+    half_width[450] = INFINITY;
+    EXPECT_EQ(std::ranges::count(svg(plot), 'Z'), 4) << "nothing is known of one instant";
 }
 
 TEST(SvgPlot, TicksAreRoundAndFew) {
