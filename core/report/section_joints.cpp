@@ -19,31 +19,36 @@ namespace {
 constexpr const char* kAngleNames[] = {"Z", "X", "Y"};  // the order of joint_angles.h
 constexpr double kHalfWidth_px = 488;
 
+/// In degrees, which the table's head says. Three digits, so that bad angles need no wider column.
+std::string angleCell(double angle_deg) {
+    return text::number(angle_deg, std::abs(angle_deg) < 9.995 ? 2 : 1);
+}
+
 html::Row jointRow(const JointComparison& joint, double scale_deg) {
     const AngleStatistics& a = joint.angle;
     const bool look = a.mean_deg > VerdictLimits{}.good_joint_deg;
     const std::string words = text::jointLabel(joint.name) + ", mean " + text::degrees(a.mean_deg);
-    return {
-        {text::escaped(text::jointLabel(joint.name)) +
-             (joint.composed ? " <small>from " + text::escaped(joint.relative_to) + "</small>" : ""),
-         std::string(look ? "<span class=\"look\">" : "<span>") + text::degrees(a.mean_deg, 2) + "</span>",
-         text::degrees(a.median_deg, 2), text::degrees(a.std_deg, 2), text::degrees(a.rms_deg, 2),
-         text::degrees(a.p95_deg, 2), text::degrees(a.max_deg, 1), text::degrees(a.drift_deg_per_min, 2),
-         text::number(joint.position_mm, 1), text::number(joint.nees, 1),
-         html::bar({{scale_deg > 0 ? a.mean_deg / scale_deg : 0, look ? "inertia" : "good"}}, words)},
-        ""};
+    return {{text::escaped(text::jointLabel(joint.name)) +
+                 (joint.composed ? " <small>from " + text::escaped(joint.relative_to) + "</small>" : ""),
+             std::string(look ? "<span class=\"look\">" : "<span>") + angleCell(a.mean_deg) + "</span>",
+             angleCell(a.median_deg), angleCell(a.std_deg), angleCell(a.rms_deg), angleCell(a.p95_deg),
+             text::number(a.max_deg, 1), angleCell(a.drift_deg_per_min), text::number(joint.position_mm, 1),
+             text::number(joint.nees, 1),
+             html::bar({{scale_deg > 0 ? a.mean_deg / scale_deg : 0, look ? "inertia" : "good"}}, words)},
+            ""};
 }
 
 std::string jointTable(const Comparison& c) {
+    const std::string angle = "Angle, degrees";
     html::Table table{"Error of every joint",
                       {{"Joint", false},
-                       {"Mean"},
-                       {"Median"},
-                       {"Deviation"},
-                       {"RMS"},
-                       {"95 %"},
-                       {"Largest"},
-                       {"Drift per minute"},
+                       {"Mean", true, angle},
+                       {"Median", true, angle},
+                       {"SD", true, angle},
+                       {"RMS", true, angle},
+                       {"95 %", true, angle},
+                       {"Max", true, angle},
+                       {"Drift °/min"},
                        {"Position mm"},
                        {"NEES"},
                        {"Mean, against the worst joint", false}},
@@ -53,7 +58,7 @@ std::string jointTable(const Comparison& c) {
         worst_deg = std::max(worst_deg, joint.angle.mean_deg);
     for (const JointComparison& joint : c.joints)
         table.rows.push_back(jointRow(joint, worst_deg));
-    table.rows.push_back({{"Mean of all joints", text::degrees(c.mean_deg, 2), "", "", "", "", "", "", "",
+    table.rows.push_back({{"Mean of all joints", angleCell(c.mean_deg), "", "", "", "", "", "", "",
                            text::number(c.nees, 1), ""},
                           "total"});
     return html::table(table);
@@ -176,7 +181,8 @@ std::string jointsSection(const ReportData& data) {
     const Comparison& c = *run->comparison;
     std::string body = jointTable(c);
     body += html::note(
-        "Half of the time a joint errs less than its median, 95 % of the time less than the value so headed. "
+        "SD is the standard deviation, RMS the root mean square. Half of the time a joint errs less than its "
+        "median, 95 % of the time less than the value so headed. "
         "NEES compares the errors with what the filter says about them: 1 is honest, more is too sure. "
         "Position is that of the joint in the frame of the pelvis, so it gathers the errors of all joints "
         "above.");

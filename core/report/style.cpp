@@ -68,13 +68,13 @@ table{border-collapse:collapse;width:100%}
 caption{position:absolute;width:1px;height:1px;overflow:hidden;clip-path:inset(50%)}
 th,td{padding:4px 8px;text-align:right;border-bottom:1px solid var(--line);height:28px;font-weight:400;white-space:nowrap}
 th{max-width:360px;overflow:hidden;text-overflow:ellipsis}
-thead th{font-size:11px;color:var(--t3);vertical-align:bottom}
+thead th{font-size:11px;color:var(--t3);vertical-align:bottom;white-space:normal}
 thead .group{text-align:center;border-bottom-color:var(--edge)}
 tbody th{color:var(--t1)}th:first-child,td:first-child,.word{text-align:left}
 tr.shown>*{background:var(--sel)}tr.shown>th{font-weight:500}
 tr.paper>*{color:var(--t3);font-size:12px;height:24px;border-bottom-color:var(--edge)}
 tr.total>*{font-weight:500;border-top:1px solid var(--edge)}
-td .bar{min-width:120px}.look{color:var(--warn)}
+td .bar{min-width:60px}.look{color:var(--warn)}
 small{font-size:11px;color:var(--t3)}
 dl{margin:0;display:grid;grid-template-columns:1fr 1fr;gap:0 32px}
 dl>div{display:flex;justify-content:space-between;gap:16px;border-bottom:1px solid var(--line);padding:4px 0}

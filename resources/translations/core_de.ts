@@ -6293,6 +6293,10 @@
         <translation>Winkel zwischen geschätzter und Referenzdrehung jedes Gelenks, von Ergebnis %1. Kurven sind Kardanwinkel in der Reihenfolge Z, X, Y ab der T-Haltung, benannt wie von der ISB; ein Winkel ist positiv in der Richtung seines Namens.</translation>
     </message>
     <message>
+        <source>Angle, degrees</source>
+        <translation>Winkel, Grad</translation>
+    </message>
+    <message>
         <source>Angles in degrees, lengths in metres unless a column says otherwise, time in minutes and seconds of the take.</source>
         <translation>Winkel in Grad, Längen in Metern, wenn eine Spalte nichts anderes sagt, Zeit in Minuten und Sekunden der Aufnahme.</translation>
     </message>
@@ -6302,7 +6306,7 @@
     </message>
     <message>
         <source>Bits repaired</source>
-        <translation>Berichtigte Bits</translation>
+        <translation>Berich­tigte Bits</translation>
     </message>
     <message>
         <source>Board</source>
@@ -6346,11 +6350,11 @@
     </message>
     <message>
         <source>Clipped, accelerometer</source>
-        <translation>Übersteuert, Beschleunigungssensor</translation>
+        <translation>Über­steuert, Beschleuni­gungssensor</translation>
     </message>
     <message>
         <source>Clipped, gyroscope</source>
-        <translation>Übersteuert, Gyroskop</translation>
+        <translation>Über­steuert, Gyroskop</translation>
     </message>
     <message>
         <source>Compared over %1 in %2 after %3 s of rest. Good: mean under %4 and no joint over %5; usable: mean under %6.</source>
@@ -6370,7 +6374,7 @@
     </message>
     <message>
         <source>Deviation</source>
-        <translation>Abweichung</translation>
+        <translation>Abwei­chung</translation>
     </message>
     <message>
         <source>Difference of the field's strength from its mean, a dot per direction</source>
@@ -6393,8 +6397,8 @@
         <translation>Gezeichnet sind die letzten %1 von %2 Ergebnissen.</translation>
     </message>
     <message>
-        <source>Drift per minute</source>
-        <translation>Drift je Minute</translation>
+        <source>Drift °/min</source>
+        <translation>Drift °/min</translation>
     </message>
     <message>
         <source>Each distance measured with offsets made without it. The paper had 2.35 mm in the mean, 1.92 mm deviation.</source>
@@ -6477,10 +6481,6 @@
         <translation>Gyroskope von %1 Platinen; der Drehteller lief mit %2 U/min%3</translation>
     </message>
     <message>
-        <source>Half of the time a joint errs less than its median, 95 % of the time less than the value so headed. NEES compares the errors with what the filter says about them: 1 is honest, more is too sure. Position is that of the joint in the frame of the pelvis, so it gathers the errors of all joints above.</source>
-        <translation>Die Hälfte der Zeit irrt ein Gelenk um weniger als seinen Median, 95 % der Zeit um weniger als den Wert dieser Überschrift. NEES vergleicht die Fehler mit dem, was das Filter über sie sagt: 1 ist ehrlich, mehr ist zu sicher. Position ist die des Gelenks im Bezugssystem des Beckens, sammelt also die Fehler aller Gelenke darüber.</translation>
-    </message>
-    <message>
         <source>Hand</source>
         <translation>Hand</translation>
     </message>
@@ -6506,7 +6506,7 @@
     </message>
     <message>
         <source>Hidden</source>
-        <translation>Verdeckt</translation>
+        <translation>Ver­deckt</translation>
     </message>
     <message>
         <source>How each run of this take compares with the reference: the angle between the two orientations of a joint, its mean and its standard deviation over the take.</source>
@@ -6581,10 +6581,6 @@
         <translation>Beurteilt danach, worauf die Winkel beruhen. Gut: Entfernungen stützen die Gelenke %1 der Zeit und passen auf %2 mm zur Pose; brauchbar: %3 und %4 mm.</translation>
     </message>
     <message>
-        <source>Largest</source>
-        <translation>Größter</translation>
-    </message>
-    <message>
         <source>Left</source>
         <translation>Links</translation>
     </message>
@@ -6653,6 +6649,10 @@
         <translation>Magnetometer</translation>
     </message>
     <message>
+        <source>Max</source>
+        <translation>Max.</translation>
+    </message>
+    <message>
         <source>Mean</source>
         <translation>Mittel</translation>
     </message>
@@ -6682,7 +6682,7 @@
     </message>
     <message>
         <source>Mean, against the worst joint</source>
-        <translation>Mittel, gegen das schlechteste Gelenk</translation>
+        <translation>Mittel, gegen das schlech­teste Gelenk</translation>
     </message>
     <message>
         <source>Measured distances over time by what became of them</source>
@@ -6838,7 +6838,7 @@
     </message>
     <message>
         <source>Readings present</source>
-        <translation>Vorhandene Messwerte</translation>
+        <translation>Vor­handene Messwerte</translation>
     </message>
     <message>
         <source>Recorded</source>
@@ -6854,11 +6854,11 @@
     </message>
     <message>
         <source>Rejected</source>
-        <translation>Verworfen</translation>
+        <translation>Ver­worfen</translation>
     </message>
     <message>
         <source>Residual mm</source>
-        <translation>Restfehler mm</translation>
+        <translation>Rest­fehler mm</translation>
     </message>
     <message>
         <source>Rest at its start</source>
@@ -6903,6 +6903,10 @@
     <message>
         <source>Run %1: sensors %2, estimator %3, smoothing %4, root %5.</source>
         <translation>Ergebnis %1: Sensoren %2, Schätzer %3, Glättung %4, Wurzel %5.</translation>
+    </message>
+    <message>
+        <source>SD is the standard deviation, RMS the root mean square. Half of the time a joint errs less than its median, 95 % of the time less than the value so headed. NEES compares the errors with what the filter says about them: 1 is honest, more is too sure. Position is that of the joint in the frame of the pelvis, so it gathers the errors of all joints above.</source>
+        <translation>SD ist die Standardabweichung, RMS das quadratische Mittel. Die Hälfte der Zeit irrt ein Gelenk um weniger als seinen Median, 95 % der Zeit um weniger als den Wert dieser Überschrift. NEES vergleicht die Fehler mit dem, was das Filter über sie sagt: 1 ist ehrlich, mehr ist zu sicher. Position ist die des Gelenks im Bezugssystem des Beckens, sammelt also die Fehler aller Gelenke darüber.</translation>
     </message>
     <message>
         <source>Sample rate</source>
@@ -7098,7 +7102,7 @@
     </message>
     <message>
         <source>Used</source>
-        <translation>Verwendet</translation>
+        <translation>Ver­wendet</translation>
     </message>
     <message>
         <source>What became of every pulse at every board: heard or not, used by the filter or thrown out because it did not fit the pose.</source>

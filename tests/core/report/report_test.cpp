@@ -116,7 +116,8 @@ TEST(HtmlReport, HoldsTheNumbersItWasGiven) {
     const std::string page = htmlReport(data);
     const Comparison& c = *data.shownRun()->comparison;
     EXPECT_TRUE(has(page, "Mean joint error " + text::degrees(c.mean_deg)));
-    EXPECT_TRUE(has(page, text::degrees(c.find("LeftUpLeg")->angle.rms_deg, 2)));
+    EXPECT_TRUE(has(page, ">" + text::number(c.find("LeftUpLeg")->angle.rms_deg, 2) + "<"));
+    EXPECT_TRUE(has(page, "colspan=\"6\">Angle, degrees</th>")) << "units stand in the head";
     EXPECT_TRUE(has(page, "159.7")) << "the paper's row";
     EXPECT_TRUE(has(page, "Left foot (board 15) was clipped in 12 readings"));
     EXPECT_TRUE(has(page, "no pulses recorded"));

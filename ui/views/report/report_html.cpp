@@ -9,6 +9,9 @@
 namespace noctule::ui {
 namespace {
 
+/// Tables of ten columns fit narrower pages if their bars are short.
+constexpr int kNarrowTable = 600;
+
 /// They stand two in a row where their words stay readable so.
 bool isNarrow(const ReportFigure& plot) {
     return plot.viewBox().width() < 600;
@@ -88,13 +91,14 @@ private:
         const QString css_class = attributes.value("class").toString();
         const bool is_first = std::exchange(row_begins_, false);
         const bool is_word = css_class == "word" || is_first;
-        QString tag =
-            QString("<td class=\"%1\" align=\"%2\"")
-                .arg(
-                    name == "th" && attributes.value("scope") == QLatin1String("col") ? "columnhead" : "cell",
-                    css_class == "group" ? "center"
-                    : is_word            ? "left"
-                                         : "right");
+        const bool is_head = name == "th" && attributes.value("scope") == QLatin1String("col");
+        QString tag = QString("<td class=\"%1\" align=\"%2\"")
+                          .arg(is_head                   ? "columnhead"
+                               : is_word || name == "th" ? "cell"
+                                                         : "number",
+                               css_class == "group" ? "center"
+                               : is_word            ? "left"
+                                                    : "right");
         if (attributes.hasAttribute("colspan"))
             tag += QString(" colspan=\"%1\"").arg(attributes.value("colspan").toString());
         out() += tag + ">";
@@ -140,7 +144,7 @@ QSize figureSize(const ReportFigure& figure, int page_width) {
             return QSizeF(width, width * box.height() / std::max(1.0, box.width())).toSize();
         }
         case ReportFigure::Kind::kBar:
-            return Theme::get().scale() * QSize(120, 8);
+            return Theme::get().scale() * QSize(page_width < Theme::get().px(kNarrowTable) ? 40 : 120, 8);
         case ReportFigure::Kind::kIcon:
             return Theme::get().scale() * QSize(16, 16);
         case ReportFigure::Kind::kSwatch:
@@ -159,7 +163,7 @@ QString reportStyle(double zoom) {
                "h3{font-size:%5px;font-weight:500;margin-top:16px;margin-bottom:4px}"
                ".lead{color:%6}.note,.key,.nothing,small{color:%7;font-size:%8px}"
                "p{margin-top:4px;margin-bottom:8px}.figure{margin-top:8px}.gap{font-size:4px;margin:0}"
-               "td{padding:4px 4px}.columnhead{color:%7;font-size:%8px}"
+               "td{padding:4px 3px}.number{white-space:nowrap}.columnhead{color:%7;font-size:%8px}"
                ".dt{color:%6}.dd{color:%1}.look{color:%9}.value{font-size:%3px}"
                ".card{background-color:%10}")
         .arg(t.t1.name(), px(13), px(26), px(20), px(15), t.t2.name(), t.t3.name(), px(12), t.warn.name(),
