@@ -6830,7 +6830,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>Note at this moment; Enter keeps it</source>
-        <translation>Notiz zu diesem Moment; Enter behält sie</translation>
+        <translation>Notiz zu diesem Moment; Eingabe behält sie</translation>
     </message>
     <message>
         <source>None</source>
@@ -11666,6 +11666,11 @@ Drehen, beide Richtungen x3</translation>
 </context>
 <context>
     <name>noctule::ui::words</name>
+    <message>
+        <source>Enter</source>
+        <comment>a key</comment>
+        <translation>Eingabe</translation>
+    </message>
     <message>
         <source>Today, %1</source>
         <translation>Heute, %1</translation>

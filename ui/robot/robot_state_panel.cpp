@@ -31,7 +31,9 @@ RobotStatePanel::RobotStatePanel(RobotDrive& drive, QWidget* parent)
     : QWidget(parent), drive_(drive), verdict_(new VerdictHeader), joints_(new JointBars) {
     auto* column = makeColumn(this);
     addRow(column, 0, {12, 16, 12, 12})->addWidget(verdict_);
-    addRow(column, 0, {12, 0, 12, 4})->addWidget(new SectionHeader(tr("Joints"), tr("achieved, commanded")));
+    auto* head = addRow(column, 0, {12, 0, 12, 4});
+    head->addWidget(new SectionHeader(tr("Joints"), tr("achieved, commanded")));
+    joints_head_ = head->parentWidget();
     column->addWidget(joints_);
     auto* problems = new QWidget;
     problems_ = makeColumn(problems, {12, 12, 12, 12}, 8);
@@ -53,16 +55,17 @@ RobotStatePanel::RobotStatePanel(RobotDrive& drive, QWidget* parent)
     connect(&drive, &RobotDrive::wordChanged, this, all);
     connect(&drive, &RobotDrive::linkChanged, this, all);
     connect(&drive, &RobotDrive::keysChanged, this, all);
-    connect(&drive, &RobotDrive::robotChanged, this, [this, all] {
+    const auto show_robot = [this, all] {
         joints_->setParts(drive_.parts());
+        joints_head_->setVisible(drive_.parts() && !drive_.parts()->axes.empty());
         all();
-    });
+    };
+    connect(&drive, &RobotDrive::robotChanged, this, show_robot);
     connect(&drive, &RobotDrive::ticked, this, [this, all] {
         showJoints();
         all();
     });
-    joints_->setParts(drive.parts());
-    all();
+    show_robot();
 }
 
 void RobotStatePanel::showState() {

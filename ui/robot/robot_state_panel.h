@@ -37,6 +37,7 @@ private:
     RobotDrive& drive_;
     VerdictHeader* verdict_;
     QString verdict_text_;
+    QWidget* joints_head_;  ///< there while joints are listed
     JointBars* joints_;
     QBoxLayout* problems_;
     ProblemCard* problem_ = nullptr;

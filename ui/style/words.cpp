@@ -38,8 +38,14 @@ QString numberText(double value, int decimals) {
     return std::isfinite(value) ? fixed(value, decimals) : kDash;
 }
 
+/// Qt calls one of the two keys "Return", which stands on few keyboards.
 QString keysText(const QKeySequence& keys) {
-    return keys.toString(QKeySequence::NativeText);
+    const QString text = keys.toString(QKeySequence::NativeText);
+    const int key = keys.isEmpty() ? 0 : keys[0] & ~static_cast<int>(Qt::KeyboardModifierMask);
+    if (key != Qt::Key_Return && key != Qt::Key_Enter)
+        return text;
+    return text.chopped(QKeySequence(key).toString(QKeySequence::NativeText).size()) +
+           QCoreApplication::translate("noctule::ui::words", "Enter", "a key");
 }
 
 QString timeText(double seconds, int decimals) {

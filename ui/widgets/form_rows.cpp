@@ -2,6 +2,7 @@
 #include "ui/widgets/form_rows.h"
 
 #include <QGridLayout>
+#include <algorithm>
 
 #include "ui/style/theme.h"
 #include "ui/widgets/label.h"
@@ -65,6 +66,26 @@ Label* FormRows::addValue(const QString& label, const QString& value) {
     grid_->addWidget(words, row, 0);
     grid_->addWidget(number, row, 1);
     return number;
+}
+
+int FormRows::widestLabel() const {
+    int widest = 0;
+    for (int row = 0; row < grid_->rowCount(); ++row)
+        if (QLayoutItem* label = grid_->itemAtPosition(row, 0))
+            widest = std::max(widest, label->widget()->sizeHint().width());
+    return widest;
+}
+
+void FormRows::alignLabels(const std::vector<FormRows*>& forms) {
+    const auto align = [forms] {
+        int width = 0;
+        for (const FormRows* form : forms)
+            width = std::max({width, Theme::get().px(form->label_width_), form->widestLabel()});
+        for (const FormRows* form : forms)
+            form->grid_->setColumnMinimumWidth(0, width);
+    };
+    connect(&Theme::get(), &Theme::changed, forms.front(), align);  // after their own sizes
+    align();
 }
 
 }  // namespace noctule::ui

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QWidget>
+#include <vector>
 
 class QGridLayout;
 
@@ -25,8 +26,12 @@ public:
     /// Label and words, dense (22 px). Returns the value's label.
     Label* addValue(const QString& label, const QString& value);
 
+    /// Forms below each other: the widest label of all decides where their controls stand.
+    static void alignLabels(const std::vector<FormRows*>& forms);
+
 private:
     int nextRow() const;
+    int widestLabel() const;
     void addInSecondColumn(QWidget* widget);
 
     int label_width_;

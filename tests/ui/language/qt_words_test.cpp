@@ -87,6 +87,7 @@ TEST_F(QtWords, KeysAreThoseOfAGermanKeyboard) {
     EXPECT_EQ(written("Ctrl+R"), "Strg+R");
     EXPECT_EQ(written("Ctrl+Shift+M"), "Strg+Umschalt+M");
     EXPECT_EQ(written("Del"), "Entf");
+    EXPECT_EQ(QCoreApplication::translate("noctule::ui::words", "Enter", "a key").toStdString(), "Eingabe");
     EXPECT_EQ(QKeySequence("Ctrl+,"), QKeySequence(int{Qt::CTRL} + Qt::Key_Comma))
         << "keys are still understood";
 }

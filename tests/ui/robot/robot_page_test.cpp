@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QLabel>
 #include <QPainter>
 #include <QProcess>
 #include <QSlider>
@@ -335,6 +336,21 @@ TEST_F(RobotPageTest, ARobotThatIsNotThereIsSaid) {
     EXPECT_TRUE(drive_->trouble().contains("127.0.0.1:9")) << drive_->trouble().toStdString();
     drive_->disconnectRobot();
     EXPECT_EQ(drive_->trouble(), "") << "nobody wants it any more";
+}
+
+TEST_F(RobotPageTest, JointsAreHeadedOnceARobotIsChosen) {
+    const auto isHeaded = [this] {
+        const auto labels = page_->state().findChildren<QLabel*>();
+        return std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+            return label->isVisible() && label->text() == "achieved, commanded";
+        });
+    };
+    EXPECT_FALSE(isHeaded());
+    address_ = "udp://127.0.0.1:9";
+    drive_->setRobot(choice());
+    EXPECT_TRUE(waitFor([&] { return drive_->parts() && isHeaded(); }));
+    drive_->removeRobot();
+    EXPECT_FALSE(isHeaded());
 }
 
 TEST_F(RobotPageTest, AUrdfThatCannotBeReadIsSaid) {

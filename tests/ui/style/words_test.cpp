@@ -68,6 +68,8 @@ TEST_F(WordsTest, milliseconds) {
 TEST_F(WordsTest, keys) {
     expectText(keysText(QKeySequence("Ctrl+R")), "Ctrl+R");
     expectText(keysText(QKeySequence("Del")), "Del");
+    expectText(keysText(QKeySequence(Qt::Key_Return)), "Enter");
+    expectText(keysText(QKeySequence("Ctrl+Return")), "Ctrl+Enter");
 }
 
 TEST_F(WordsTest, bytes) {

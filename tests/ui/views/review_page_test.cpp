@@ -345,6 +345,11 @@ TEST_F(ReviewPageTest, AMarkerIsListedAtTheTimeThatTheTimelineShowsThere) {
         << page_->center().timeline().valueText().toStdString();
 }
 
+TEST_F(ReviewPageTest, MarkersStandInTheColumnOfTheirHeading) {
+    const auto* list = page_->sidebar().findChild<MarkersPanel*>();
+    EXPECT_EQ(list->viewport()->x() + list->style()->pixelMetric(QStyle::PM_FocusFrameHMargin) + 1, 12);
+}
+
 TEST_F(ReviewPageTest, KeysReachThePageFromItsDocks) {
     const double before_s = studio_->time().time();
     QTest::keyClick(&page_->sidebar().takes(), Qt::Key_Right);

@@ -77,6 +77,7 @@ ExportForm::ExportForm(ReviewContext& review, QWidget* parent)
     column->addWidget(new Divider);
     column->addWidget(makeWhere());
     column->addStretch(1);
+    FormRows::alignLabels(rows_);
     for (QComboBox* box : {range, format, frames, root, unit, names, body, size, camera})
         connect(box, qOverload<int>(&QComboBox::currentIndexChanged), this, &ExportForm::read);
     connect(run, qOverload<int>(&QComboBox::currentIndexChanged), this, &ExportForm::read);
@@ -91,13 +92,18 @@ ExportForm::ExportForm(ReviewContext& review, QWidget* parent)
     setSettings({});
 }
 
+FormRows* ExportForm::makeRows() {
+    rows_.push_back(new FormRows(kLabels));
+    return rows_.back();
+}
+
 void ExportForm::makeTakes() {
     takes_part_ = new QWidget(this);
     auto* column = makeColumn(takes_part_, {20, 12, 20, 16}, 8);
     column->addWidget(new SectionHeader(tr("Takes")));
     takes_ = new ExportTakeList(review_);
     column->addWidget(takes_);
-    auto* rows = new FormRows(kLabels);
+    FormRows* rows = makeRows();
     run->addItem(tr("As shown in Review"), static_cast<int>(ResultChoice::kShown));
     run->addItem(tr("Last of each take"), static_cast<int>(ResultChoice::kLast));
     run->addItem(tr("Chosen for each take"), static_cast<int>(ResultChoice::kEach));
@@ -110,7 +116,7 @@ QWidget* ExportForm::makeWhat() {
     auto* part = new QWidget;
     auto* column = makeColumn(part, {}, 8);
     column->addWidget(new SectionHeader(tr("What and how")));
-    auto* rows = new FormRows(kLabels);
+    FormRows* rows = makeRows();
     addMotionRows(*rows);
     addFigureRows(*rows);
     column->addWidget(rows);
@@ -186,7 +192,7 @@ QWidget* ExportForm::makeAlso() {
 }
 
 QWidget* ExportForm::makePictures() {
-    auto* rows = new FormRows(kLabels);
+    FormRows* rows = makeRows();
     for (const QSize& each : kPictureSizes)
         size->addItem(tr("%1 × %2").arg(each.width()).arg(each.height()), each);
     rows->addRow(tr("Size"), size);
@@ -201,7 +207,7 @@ QWidget* ExportForm::makeWhere() {
     auto* part = new QWidget;
     auto* column = makeColumn(part, {}, 8);
     column->addWidget(new SectionHeader(tr("Where")));
-    auto* rows = new FormRows(kLabels);
+    FormRows* rows = makeRows();
     folder_ = makeButton(ButtonKind::kOutlined, {}, "folder");
     rows->addRow(tr("Folder"), folder_);
     rows->addRow(tr("File name"), name_pattern);

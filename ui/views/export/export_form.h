@@ -58,6 +58,7 @@ signals:
     void tryWanted();
 
 private:
+    FormRows* makeRows();
     QWidget* makeWhat();
     void addMotionRows(FormRows& rows);
     void addFigureRows(FormRows& rows);
@@ -75,6 +76,7 @@ private:
     QString preset_name_, typed_name_;
     bool setting_ = false;
     QWidget *takes_part_ = nullptr, *own_range_ = nullptr, *pictures_ = nullptr;
+    std::vector<FormRows*> rows_;
     std::vector<QWidget*> not_of_pictures_;
     QDoubleSpinBox *own_from_ = nullptr, *own_to_ = nullptr;
     ExportTakeList* takes_ = nullptr;

@@ -10,7 +10,8 @@ namespace noctule::ui {
 
 namespace {
 constexpr int kMarkerTime = Qt::UserRole, kMarkerRow = 28, kMostMarkers = 6;
-}
+constexpr int kMarkerIndent = 6;  ///< beyond a cell's own, to the column of the headings
+}  // namespace
 
 MarkersPanel::MarkersPanel(ReviewContext& review, QWidget* parent) : QListWidget(parent), review_(review) {
     setFrameShape(QFrame::NoFrame);
@@ -31,6 +32,7 @@ void MarkersPanel::refresh() {
     std::vector<ReviewMarker> markers = overview ? overview->markers : std::vector<ReviewMarker>();
     std::stable_sort(markers.begin(), markers.end(),
                      [](const ReviewMarker& a, const ReviewMarker& b) { return a.t_s < b.t_s; });
+    setViewportMargins(Theme::get().px(kMarkerIndent), 0, 0, 0);
     const int row_px = Theme::get().px(kMarkerRow);
     for (const ReviewMarker& marker : markers) {
         const QString label = marker.label.empty() ? tr("Marker") : QString::fromStdString(marker.label);
