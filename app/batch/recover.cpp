@@ -29,8 +29,13 @@ Candidate lookAt(const std::string& path, bool is_named) {
     Candidate candidate{path, is_named};
     {
         const Result<Take> take = Take::open(path);
-        if (take && !isRecording(*take))
+        if (take && !isRecording(*take)) {
+            // It may be damaged where nothing was read to open it. Of folders that would take long.
+            if (const Status sound = is_named ? checkIntegrity(path) : Status(Done{});
+                !sound && sound.error().is_damage)
+                candidate.condition = Condition::kDamaged;
             return candidate;
+        }
         if (!take && !isThere(path + "-wal")) {
             candidate.condition = take.error().is_damage ? Condition::kDamaged : Condition::kUnreadable;
             candidate.error = take.error();
@@ -72,9 +77,21 @@ Outcome leftAlone(const Candidate& take, const std::string& state, const std::st
     return {{{"take", take.path}, {"state", state}}, take.path + ": " + why + "\n", std::nullopt};
 }
 
-Result<Outcome> recoverNow(const std::string& path, bool is_damaged, const std::string& target,
-                           const JobContext& job) {
-    const Status recovered = is_damaged ? saveReadable(path, target, job) : recoverTake(path, target, job);
+nlohmann::json lossesJson(const TakeLosses& losses) {
+    nlohmann::json tables = nlohmann::json::object();
+    for (const TableLoss& loss : losses.tables) {
+        tables[loss.table] = {{"saved_rows", loss.saved}, {"lost_rows", nullptr}};
+        if (loss.lost)
+            tables[loss.table]["lost_rows"] = *loss.lost;
+    }
+    nlohmann::json all{{"tables", tables}, {"list_of_tables_damaged", losses.may_have_had_more}};
+    if (losses.sound_s)
+        all["sound"] = {{"saved_s", *losses.sound_s}, {"whole_s", losses.whole_sound_s}};
+    return all;
+}
+
+Result<Outcome> recoverNow(const std::string& path, const std::string& target, const JobContext& job) {
+    const Result<Recovery> recovered = recoverTake(path, target, job);
     if (!recovered)
         return recovered.error();
     nlohmann::json duration_s;
@@ -83,10 +100,15 @@ Result<Outcome> recoverNow(const std::string& path, bool is_damaged, const std::
         duration_s = *take->duration_s();
         std::snprintf(seconds, sizeof seconds, "%.2f s ", *take->duration_s());
     }
-    return Outcome{
+    Outcome outcome{
         {{"take", path}, {"state", "recovered"}, {"recovered", target}, {"duration_s", duration_s}},
         path + ": " + seconds + "recovered into " + target + "; the recording is as it was\n",
         std::nullopt};
+    if (const Recovery& losses = *recovered) {
+        outcome.json["lost"] = lossesJson(*losses);
+        outcome.text += path + ": was damaged. " + savedText(*losses) + ".\n";
+    }
+    return outcome;
 }
 
 Result<Outcome> recoverOne(const Candidate& take, const JobContext& job) {
@@ -106,7 +128,7 @@ Result<Outcome> recoverOne(const Candidate& take, const JobContext& job) {
             break;
     }
     if (take.is_named || !isThere(target))
-        return recoverNow(take.path, take.condition == Condition::kDamaged, target, job);
+        return recoverNow(take.path, target, job);
     Outcome before = leftAlone(take, "recovered before", "was recovered before, see " + target);
     before.json["recovered"] = target;
     return before;
@@ -149,7 +171,9 @@ Verb recoverVerb() {
     verb.remarks = {
         "The result is NAME_recovered.noctule beside the recording, which stays as it is with its -wal. Of a "
         "folder all recordings that broke off are recovered, also those in its takes/; one that is being "
-        "recorded is left alone. Of a damaged take that is named, all rows that can be read are saved."};
+        "recorded is left alone. Of a damaged one, which must be named if it is finished, all rows that can "
+        "be read are saved; how much that is, is said. Lost rows are an estimate from the pages that hold "
+        "them."};
     verb.run = runRecover;
     return verb;
 }

@@ -10,14 +10,13 @@
 
 #include "core/job/atomic_file.h"
 #include "core/recording/database.h"
+#include "core/recording/first_page.h"
 #include "core/recording/salvage.h"
 #include "core/recording/take_copy.h"
 #include "core/recording/take_edit.h"
 
 namespace noctule {
-namespace {
 
-/// SQLite's own look at every page and index.
 Status checkIntegrity(const std::string& path) {
     Result<Database> database = Database::open(path, Access::kRead);
     if (!database)
@@ -31,9 +30,11 @@ Status checkIntegrity(const std::string& path) {
     const std::string verdict = *row ? check->text(0).value_or("") : "";
     if (verdict != "ok")
         return Error{ErrorKind::kUnreadable, path + ": is damaged: " + verdict,
-                     "Keep the file and its -wal; nothing was changed"};
+                     "Keep the file and its -wal; nothing was changed", true};
     return Done{};
 }
+
+namespace {
 
 Status markRecovered(const std::string& path) {
     Result<Take> take = Take::open(path, Access::kReadWrite);
@@ -53,24 +54,6 @@ Status markRecovered(const std::string& path) {
     return edit->commit();
 }
 
-}  // namespace
-
-Status recoverTake(const std::string& recording, const std::string& recovered_path, const JobContext& job) {
-    Result<TakeCopy> copy = TakeCopy::make(recording, recovered_path, job);
-    if (!copy)
-        return copy.error();
-    if (const Status folded = copy->foldLog(); !folded)
-        return folded;
-    job.progress(1, "Checking");
-    if (const Status sound = checkIntegrity(copy->path()); !sound)
-        return copy->named(sound.error());
-    if (const Status marked = markRecovered(copy->path()); !marked)
-        return copy->named(marked.error());
-    return copy->publish(false);
-}
-
-namespace {
-
 /// Until it is published.
 struct SavedAside {
     std::string path;
@@ -81,20 +64,58 @@ struct SavedAside {
     }
 };
 
+Status finishWhole(TakeCopy& copy, const JobContext& job) {
+    if (const Status folded = copy.foldLog(); !folded)
+        return folded;
+    job.progress(1, "Checking");
+    if (const Status sound = checkIntegrity(copy.path()); !sound)
+        return sound;
+    return markRecovered(copy.path());
+}
+
+Result<TakeLosses> saveReadable(TakeCopy& copy, const std::string& saved_path, const JobContext& job) {
+    if (const Status folded = copy.foldLog(); !folded) {
+        if (folded.error().kind == ErrorKind::kDisk)
+            return folded.error();
+        copy.dropLog();  // it cannot be read, and would stand in the way of the file
+    }
+    const SavedAside saved{asidePath(saved_path)};
+    Result<TakeLosses> losses = copyReadableRows(copy.path(), saved.path, job);
+    if (!losses)
+        return losses;
+    if (!markRecovered(saved.path))
+        return Error{ErrorKind::kUnreadable,
+                     copy.path() + ": too little of it can be read to make a take of it",
+                     "Use a copy of it, if there is one"};
+    if (const Status published = publishFile(saved.path, saved_path, false); !published)
+        return published.error();
+    return losses;
+}
+
 }  // namespace
 
-Status saveReadable(const std::string& torn, const std::string& saved_path, const JobContext& job) {
+Result<Recovery> recoverTake(const std::string& recording, const std::string& recovered_path,
+                             const JobContext& job) {
     // Of a copy: reading a file with a log beside it writes into it.
-    const Result<TakeCopy> copy = TakeCopy::make(torn, saved_path, job);
+    Result<TakeCopy> copy = TakeCopy::make(recording, recovered_path, job);
     if (!copy)
         return copy.error();
-    const SavedAside saved{asidePath(saved_path)};
-    if (const Status read = copyReadableRows(copy->path(), saved.path, job); !read)
-        return copy->named(read.error());
-    if (const Status marked = markRecovered(saved.path); !marked)
-        return Error{ErrorKind::kUnreadable, torn + ": too little of it can be read to make a take of it",
-                     "Use a copy of it, if there is one"};
-    return publishFile(saved.path, saved_path, false);
+    const Status whole = finishWhole(*copy, job);
+    if (whole) {
+        if (const Status published = copy->publish(false); !published)
+            return published.error();
+        return Recovery();
+    }
+    Result<TakeLosses> losses =
+        whole.error().is_damage ? saveReadable(*copy, recovered_path, job) : whole.error();
+    if (!losses && losses.error().kind == ErrorKind::kUnreadable && mendFirstPage(copy->path())) {
+        losses = saveReadable(*copy, recovered_path, job);
+        if (losses)
+            losses->may_have_had_more = true;
+    }
+    if (!losses)
+        return copy->named(losses.error());
+    return Recovery{*losses};
 }
 
 namespace {

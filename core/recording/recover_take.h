@@ -4,19 +4,25 @@
 // writing it.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/job/job.h"
+#include "core/recording/losses.h"
 
 namespace noctule {
 
-/// kUsage when something stands at `recovered_path`, kUnreadable when the recording is damaged.
-/// A recording that is being written would come out torn: ask isBeingWritten() first.
-Status recoverTake(const std::string& recording, const std::string& recovered_path, const JobContext& job);
+/// Of a take that was whole: no losses.
+using Recovery = std::optional<TakeLosses>;
 
-/// Of a take whose database is damaged: makes a take of all rows that can be read, `state` = recovered. The
-/// damaged one stays as it is. kUnreadable when that makes no take.
-Status saveReadable(const std::string& torn, const std::string& saved_path, const JobContext& job);
+/// Of a damaged one, finished or not: a take of all rows that can be read. kUsage when something stands at
+/// `recovered_path`, kUnreadable when nothing can be read.
+/// A recording that is being written would come out torn: ask isBeingWritten() first.
+Result<Recovery> recoverTake(const std::string& recording, const std::string& recovered_path,
+                             const JobContext& job);
+
+/// SQLite's own look at every page and index. Error::is_damage: recoverTake() saves what can be read.
+Status checkIntegrity(const std::string& path);
 
 /// Whether anybody, this process included, has the take open with its write-ahead log; yes when that cannot
 /// be found out. Safe to ask about a take that this process is writing.

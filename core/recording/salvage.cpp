@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/recording/salvage.h"
 
-#include <limits>
+#include <algorithm>
+#include <fstream>
 #include <numeric>
 #include <utility>
 #include <vector>
 
 #include "core/recording/database.h"
 #include "core/recording/schema.h"
+#include "core/recording/table_pages.h"
 
 namespace noctule {
 namespace {
 
-/// Unreadable stretches in a row after which the rest of a table is given up, some seconds.
-constexpr int kMostFailures = 10'000;
+/// Unreadable stretches in a row after which the rest of a page is given up, a tenth of a second.
+constexpr int kMostFailures = 2'000;
 
 /// What the torn file has of the table's columns, with commas; empty: it has no such table.
 Result<std::string> columnsIn(const Database& database, const TableDefinition& table) {
@@ -33,38 +35,141 @@ Result<std::string> columnsIn(const Database& database, const TableDefinition& t
     }
 }
 
-/// Stretches of rows that cannot be read as a whole are halved, down to single rows. The first is all there
-/// can be: which rows are the true ends may be unreadable.
-Result<int64_t> copyTable(const Database& database, const std::string& table, const std::string& columns,
-                          const JobContext& job) {
-    const std::string copy = "INSERT OR IGNORE INTO main." + table + "(" + columns + ") SELECT " + columns +
-                             " FROM torn." + table + " NOT INDEXED WHERE rowid BETWEEN ";
-    std::vector<std::pair<int64_t, int64_t>> stretches{
-        {std::numeric_limits<int64_t>::min(), std::numeric_limits<int64_t>::max()}};
-    int64_t copied = 0;
-    for (int failures = 0; !stretches.empty() && failures < kMostFailures;) {
-        if (job.cancelled())
-            return JobContext::cancelledError();
-        const auto [first, last] = stretches.back();
-        stretches.pop_back();
-        if (database.execute(copy + std::to_string(first) + " AND " + std::to_string(last))) {
-            const auto rows = database.queryInteger("SELECT changes()");
-            const int64_t count = rows ? rows->value_or(0) : 0;
-            copied += count;
-            if (count > 0)
-                failures = 0;
-            continue;
-        }
-        if (const Error error = database.lastError(); error.kind == ErrorKind::kDisk)
-            return error;
-        ++failures;
-        if (first == last)
-            continue;
-        const int64_t middle = std::midpoint(first, last);
-        stretches.emplace_back(middle + 1, last);
-        stretches.emplace_back(first, middle);
+/// Of the file that is read; empty when the list of tables does not say where it begins.
+std::vector<RowPage> pagesOf(const Database& database, const std::string& torn, const std::string& table) {
+    const auto page_bytes = database.queryInteger("PRAGMA torn.page_size");
+    const auto root = database.queryInteger(
+        "SELECT rootpage FROM torn.sqlite_schema WHERE type='table' AND "
+        "name='" +
+        table + "' COLLATE NOCASE");
+    std::ifstream file(torn, std::ios::binary);
+    return page_bytes && *page_bytes && root && *root ? rowPages(file, **page_bytes, **root)
+                                                      : std::vector<RowPage>();
+}
+
+class TableCopy {
+public:
+    static Result<TableCopy> make(const Database& database, const std::string& table,
+                                  const std::string& columns, const JobContext& job) {
+        Result<Statement> insert =
+            database.prepare("INSERT OR IGNORE INTO main." + table + "(" + columns + ") SELECT " + columns +
+                             " FROM torn." + table + " NOT INDEXED WHERE rowid BETWEEN ? AND ?");
+        if (!insert)
+            return insert.error();
+        return TableCopy(database, std::move(*insert), job);
     }
-    return copied;
+
+    /// True when all of them could be read.
+    Result<bool> copy(int64_t first, int64_t last) {
+        if (job_->cancelled())
+            return JobContext::cancelledError();
+        const Status done = insert_.bind(0, first).bind(1, last).run();
+        if (!done && done.error().kind == ErrorKind::kDisk)
+            return done.error();
+        if (!done)
+            return false;
+        const auto rows = database_->queryInteger("SELECT changes()");
+        copied_ += rows ? rows->value_or(0) : 0;
+        return true;
+    }
+
+    /// Page by page, where the table as a whole cannot be read; many at once, where they can.
+    Status copyPages(const std::vector<RowPage>& pages) {
+        std::vector<std::pair<size_t, size_t>> stretches{{0, pages.size() - 1}};
+        while (!stretches.empty()) {
+            const auto [first, last] = stretches.back();
+            stretches.pop_back();
+            if (first == last && !pages[first].is_readable)
+                continue;
+            const Result<bool> all = copy(pages[first].first, pages[last].last);
+            if (!all)
+                return all.error();
+            if (*all)
+                continue;
+            if (first == last) {
+                if (const Status rows = copyRowsOf(pages[first]); !rows)
+                    return rows;
+                continue;
+            }
+            const size_t middle = std::midpoint(first, last);
+            stretches.emplace_back(middle + 1, last);
+            stretches.emplace_back(first, middle);
+        }
+        return Done{};
+    }
+
+    int64_t copied() const { return copied_; }
+
+private:
+    TableCopy(const Database& database, Statement insert, const JobContext& job)
+        : database_(&database), insert_(std::move(insert)), job_(&job) {}
+
+    /// The first and the last page have room for all numbers there are: the likely ones come first.
+    Status copyRowsOf(const RowPage& page) {
+        constexpr int64_t kLikely = 10'000;
+        std::vector<std::pair<int64_t, int64_t>> stretches;
+        int64_t first = page.first;
+        if (first <= 0 && page.last > 0) {
+            stretches.emplace_back(first, 0);
+            first = 1;
+        }
+        if (first > 0 && page.last - first > kLikely) {
+            stretches.emplace_back(first, first + kLikely);
+            first += kLikely + 1;
+        }
+        stretches.emplace_back(first, page.last);
+        for (const auto& [from, to] : stretches)
+            if (const Status halved = copyHalves(from, to); !halved)
+                return halved;
+        return Done{};
+    }
+
+    /// A stretch that cannot be read as a whole is halved, down to single rows.
+    Status copyHalves(int64_t from, int64_t to) {
+        std::vector<std::pair<int64_t, int64_t>> stretches{{from, to}};
+        for (int failures = 0; !stretches.empty() && failures < kMostFailures;) {
+            const auto [first, last] = stretches.back();
+            stretches.pop_back();
+            const int64_t before = copied_;
+            const Result<bool> all = copy(first, last);
+            if (!all)
+                return all.error();
+            failures = copied_ > before ? 0 : failures + !*all;
+            if (*all || first == last)
+                continue;
+            const int64_t middle = std::midpoint(first, last);
+            stretches.emplace_back(middle + 1, last);
+            stretches.emplace_back(first, middle);
+        }
+        return Done{};
+    }
+
+    const Database* database_;
+    Statement insert_;
+    const JobContext* job_;
+    int64_t copied_ = 0;
+};
+
+Result<TableLoss> copyTable(const Database& database, const std::string& torn, const std::string& table,
+                            const std::string& columns, const JobContext& job) {
+    Result<TableCopy> rows = TableCopy::make(database, table, columns, job);
+    if (!rows)
+        return rows.error();
+    const Result<bool> all = rows->copy(RowPage().first, RowPage().last);
+    if (!all)
+        return all.error();
+    if (*all)
+        return TableLoss{table, rows->copied(), 0};
+    std::vector<RowPage> pages = pagesOf(database, torn, table);
+    if (pages.empty())
+        pages.emplace_back();
+    if (const Status copied = rows->copyPages(pages); !copied)
+        return copied.error();
+    std::optional<int64_t> lost = -rows->copied();
+    for (const RowPage& page : pages)
+        lost = lost && page.rows ? std::optional(*lost + *page.rows) : std::nullopt;
+    // More rows than the pages seemed to hold: some is lost all the same, for not all could be read.
+    return TableLoss{table, rows->copied(), lost ? std::optional(std::max<int64_t>(1, *lost)) : lost};
 }
 
 Status attach(Database& database, const std::string& torn) {
@@ -87,53 +192,102 @@ Error nothingReadable(const std::string& torn) {
             "Use a copy of it, if there is one"};
 }
 
-/// Whoever reads it has asked for what can be read already.
-Error inPlainWords(const Error& error, const std::string& torn) {
-    return error.is_damage ? nothingReadable(torn) : error;
+Error beginningGone(const std::string& torn) {
+    return {
+        ErrorKind::kUnreadable,
+        torn + ": the beginning of the file is damaged, which says where the rest is; nothing can be read",
+        "Use a copy of it, if there is one"};
 }
 
-}  // namespace
+/// Whoever reads it has asked for what can be read already.
+Error inPlainWords(const Error& error, const std::string& torn) {
+    return error.is_damage ? beginningGone(torn) : error;
+}
 
-Status copyReadableRows(const std::string& torn, const std::string& path, const JobContext& job) {
-    Result<Database> database = Database::create(path);
-    if (!database)
-        return database.error();
-    database->setDisplayName(torn);
-    Result<TakeSchema> schema = TakeSchema::read(*database);
+/// Before anybody asks the torn file for them: then each would seem to be there.
+Status makeEmptyTables(Database& database) {
+    Result<TakeSchema> schema = TakeSchema::read(database);
     if (!schema)
         return schema.error();
-    // Before the other file is beside it: then each would seem to be there.
     for (const TableDefinition& table : takeTables())
-        if (const Status made = schema->complete(*database, table.name); !made)
+        if (const Status made = schema->complete(database, table.name); !made)
             return made;
-    if (const Status attached = attach(*database, torn); !attached)
-        return inPlainWords(attached.error(), torn);
+    return Done{};
+}
+
+/// In seconds, where there is one suit and its take says how long it was.
+void measureSound(const Database& database, TakeLosses& losses) {
+    const auto meta = [&](const std::string& key) {
+        const auto value =
+            database.queryInteger("SELECT CAST(value AS INTEGER) FROM main.meta WHERE key='" + key + "'");
+        return value ? value->value_or(0) : 0;
+    };
+    const int64_t rate_hz = meta("sample_rate_hz"), whole = meta("sample_count");
+    const auto suits = database.queryInteger("SELECT count(DISTINCT suit) FROM main.adc_block");
+    const auto samples = database.queryInteger("SELECT sum(sample_count) FROM main.adc_block");
+    if (rate_hz < 1 || whole < 1 || !suits || suits->value_or(0) > 1 || !samples)
+        return;
+    losses.whole_sound_s = static_cast<double>(whole) / static_cast<double>(rate_hz);
+    losses.sound_s = std::clamp(static_cast<double>(samples->value_or(0)) / static_cast<double>(rate_hz), 0.0,
+                                losses.whole_sound_s);
+}
+
+/// Of every table of a take.
+Result<TakeLosses> copyTables(const Database& database, const std::string& torn, const JobContext& job) {
+    TakeLosses losses;
+    std::ifstream file(torn, std::ios::binary);
+    const auto page_bytes = database.queryInteger("PRAGMA torn.page_size");
+    for (const RowPage& page : rowPages(file, page_bytes ? page_bytes->value_or(1) : 1, 1))
+        losses.may_have_had_more |= !page.is_readable;
     int64_t copied = 0;
     double done = 0;
     for (const TableDefinition& table : takeTables()) {
         job.progress(done++ / static_cast<double>(takeTables().size()), "Reading");
-        const Result<std::string> columns = columnsIn(*database, table);
+        const Result<std::string> columns = columnsIn(database, table);
         if (!columns)
             return inPlainWords(columns.error(), torn);
         if (columns->empty()) {
             if (!table.required)
-                if (const Status dropped = database->execute("DROP TABLE main." + table.name); !dropped)
-                    return dropped;
+                if (const Status dropped = database.execute("DROP TABLE main." + table.name); !dropped)
+                    return dropped.error();
             continue;
         }
-        const Result<int64_t> rows = copyTable(*database, table.name, *columns, job);
+        const Result<TableLoss> rows = copyTable(database, torn, table.name, *columns, job);
         if (!rows)
             return rows.error();
-        copied += *rows;
+        copied += rows->saved;
+        if (rows->lost != 0)
+            losses.tables.push_back(*rows);
+        if (table.name == "adc_block" && rows->lost != 0)
+            measureSound(database, losses);
     }
-    if (copied == 0)
-        return nothingReadable(torn);
+    if (copied > 0)
+        return losses;
+    return losses.may_have_had_more ? beginningGone(torn) : nothingReadable(torn);
+}
+
+}  // namespace
+
+Result<TakeLosses> copyReadableRows(const std::string& torn, const std::string& path, const JobContext& job) {
+    Result<Database> database = Database::create(path);
+    if (!database)
+        return database.error();
+    database->setDisplayName(torn);
+    if (const Status made = makeEmptyTables(*database); !made)
+        return made.error();
+    if (const Status attached = attach(*database, torn); !attached)
+        return inPlainWords(attached.error(), torn);
+    Result<TakeLosses> losses = copyTables(*database, torn, job);
+    if (!losses)
+        return losses;
     // How long it was counts no more; the blocks tell how long it is.
     if (const Status counted = database->execute(
             "DELETE FROM main.meta WHERE key='sample_count' AND EXISTS(SELECT 1 FROM main.adc_block)");
         !counted)
-        return counted;
-    return database->close();
+        return counted.error();
+    if (const Status closed = database->close(); !closed)
+        return closed.error();
+    return losses;
 }
 
 }  // namespace noctule

@@ -5,11 +5,12 @@
 #include <string>
 
 #include "core/job/job.h"
+#include "core/recording/losses.h"
 
 namespace noctule {
 
 /// Makes the database `path` of all rows of the tables of a take that can be read in `torn`, which nobody
-/// else may have open. kUnreadable when there is none.
-Status copyReadableRows(const std::string& torn, const std::string& path, const JobContext& job);
+/// else may have open, and which has no log beside it. kUnreadable when there is none.
+Result<TakeLosses> copyReadableRows(const std::string& torn, const std::string& path, const JobContext& job);
 
 }  // namespace noctule

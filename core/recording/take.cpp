@@ -9,6 +9,7 @@
 
 #include "core/job/limits.h"
 #include "core/math/json.h"
+#include "core/recording/first_page.h"
 #include "core/recording/recover_take.h"
 
 namespace noctule {
@@ -163,6 +164,11 @@ Result<Take> Take::open(const std::string& path, Access access, const Waiting& w
 
 Status Take::checkIdentity() const {
     const auto application = database_->queryInteger("PRAGMA application_id");
+    if (!application && application.error().kind == ErrorKind::kUnreadable && !database_->isLocked() &&
+        hasRemainsOfFirstPage(path()))
+        return Error{ErrorKind::kUnreadable, path() + ": the file is damaged at its beginning",
+                     "Run `noctule --batch recover` on it, which saves what can be read into a new file",
+                     true};
     if (!application)
         return application.error();
     if (application->value_or(0) != kTakeApplicationId)

@@ -99,15 +99,39 @@ Error TakeCopy::named(Error error) const {
     return error;
 }
 
+/// SQLite does not bring a log into a file that was cut off, but into one of the length that the log states.
+void TakeCopy::makeRoomForLog(const Database& database) const {
+    std::error_code ignored;
+    const auto log_bytes = std::filesystem::file_size(aside_ + "-wal", ignored);
+    if (ignored || log_bytes == 0)
+        return;
+    const auto pages = database.queryInteger("PRAGMA page_count");
+    const auto page_bytes = database.queryInteger("PRAGMA page_size");
+    if (!pages || !page_bytes)
+        return;
+    const auto whole = static_cast<uintmax_t>(pages->value_or(0) * page_bytes->value_or(0));
+    if (std::filesystem::file_size(aside_, ignored) < whole)
+        std::filesystem::resize_file(aside_, whole, ignored);
+}
+
 Status TakeCopy::foldLog() {
     Result<Database> database = Database::open(aside_, Access::kReadWrite);
     if (!database)
         return named(database.error());
+    if (Status tolerant = database->tolerateDamage(); !tolerant)
+        return named(tolerant.error());
+    makeRoomForLog(*database);
     if (Status done = database->execute("PRAGMA wal_checkpoint(TRUNCATE); PRAGMA journal_mode=DELETE"); !done)
         return named(done.error());
     if (Status closed = database->close(); !closed)
         return named(closed.error());
     return Done{};
+}
+
+void TakeCopy::dropLog() {
+    std::error_code ignored;
+    for (const char* ending : {"-wal", "-shm"})
+        std::filesystem::remove(aside_ + ending, ignored);
 }
 
 Status TakeCopy::publish(bool overwrite) {

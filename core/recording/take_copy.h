@@ -8,6 +8,8 @@
 
 namespace noctule {
 
+class Database;
+
 class TakeCopy {
 public:
     /// Copies `original`, and the write-ahead log beside it if there is one, next to `path`.
@@ -21,11 +23,14 @@ public:
     /// An error about that file, told about the original.
     Error named(Error error) const;
     /// Brings what stands in a copied log into the file, so that it is complete by itself. Nobody may have it
-    /// open. Only a file without a log beside it can be published.
+    /// open. Only a file without a log beside it can be published. Works also where the file is damaged.
     Status foldLog();
+    /// For one that cannot be read.
+    void dropLog();
     Status publish(bool overwrite);
 
 private:
+    void makeRoomForLog(const Database& database) const;
     TakeCopy(std::string original, std::string path, std::string aside);
 
     std::string original_, path_, aside_;  ///< aside empty: nothing to remove

@@ -16,6 +16,7 @@
 #include "core/body/actor.h"
 #include "core/job/job.h"
 #include "core/job/result.h"
+#include "core/recording/recover_take.h"
 #include "core/session/session_body.h"
 #include "core/suit/suit.h"
 
@@ -126,8 +127,8 @@ Status renameTake(Session& session, const std::string& name, const std::string& 
 /// Moves a take's files to trash/ of the session and leaves it out of the list; the way back is restoreTake.
 Status trashTake(Session& session, const std::string& name);
 Status restoreTake(Session& session, const SessionTake& take);
-/// Finishes a recording that broke off. The result takes the recording's place; the recording itself goes to
-/// the trash once the result is safe. Nobody may be writing it.
-Status recoverTake(Session& session, const std::string& name, const JobContext& job);
+/// Finishes a recording that broke off, or saves what can be read of a damaged take. The result takes its
+/// place; the file itself goes to the trash once the result is safe. Nobody may be writing it.
+Result<Recovery> recoverTake(Session& session, const std::string& name, const JobContext& job);
 
 }  // namespace noctule

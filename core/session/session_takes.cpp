@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <tuple>
 
-#include "core/recording/recover_take.h"
 #include "core/recording/take.h"
 #include "core/recording/take_copy.h"
 #include "core/session/session.h"
@@ -197,27 +196,28 @@ Status restoreTake(Session& session, const SessionTake& take) {
     return Done{};
 }
 
-Status recoverTake(Session& session, const std::string& name, const JobContext& job) {
+Result<Recovery> recoverTake(Session& session, const std::string& name, const JobContext& job) {
     const int index = session.findTake(name);
     if (index < 0)
         return noSuchTake(name);
     SessionTake& take = session.takes[static_cast<size_t>(index)];
-    if (!take.canRecover())
-        return Error{ErrorKind::kUsage, name + ": is finished already", "There is nothing to recover"};
-    const fs::path safe = takePath(session, nextTakeName(session, name + "_recovered"));
     const std::string recording = session.pathOf(take).string();
-    const Status recovered = take.is_torn ? saveReadable(recording, safe.string(), job)
-                                          : recoverTake(recording, safe.string(), job);
+    // A finished one may be damaged where nobody looked when it was opened.
+    if (!take.canRecover())
+        if (const Status sound = checkIntegrity(recording); sound || !sound.error().is_damage)
+            return Error{ErrorKind::kUsage, name + ": is finished already", "There is nothing to recover"};
+    const fs::path safe = takePath(session, nextTakeName(session, name + "_recovered"));
+    Result<Recovery> recovered = recoverTake(recording, safe.string(), job);
     if (!recovered)
         return recovered;
     // From here on nothing can be lost: at worst both stand side by side under their names.
     if (!moveToTrash(session, take.file).ok() || !moveTakeFiles(safe, session.pathOf(take)).ok()) {
         refreshTake(session, take);
         addTake(session, safe);
-        return Done{};
+        return recovered;
     }
     refreshTake(session, take);
-    return Done{};
+    return recovered;
 }
 
 }  // namespace noctule

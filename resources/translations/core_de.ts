@@ -5519,6 +5519,14 @@
         <translation>%1 von Anzug %2</translation>
     </message>
     <message>
+        <source>%1 s of %2 s of the sound</source>
+        <translation>%1 s von %2 s des Tons</translation>
+    </message>
+    <message>
+        <source>%1. The list of what it had is damaged too, so more may be lost</source>
+        <translation>%1. Auch das Verzeichnis ihres Inhalts ist beschädigt, es kann also mehr verloren sein</translation>
+    </message>
+    <message>
         <source>%1: %2%3 stands beside it, so it is in use</source>
         <translation>%1: %2%3 liegt daneben, die Datei ist also in Gebrauch</translation>
     </message>
@@ -5607,8 +5615,16 @@
         <translation>%1: Ergebnis 0 ist die Aufzeichnung selbst und wird nie verworfen</translation>
     </message>
     <message>
+        <source>%1: the beginning of the file is damaged, which says where the rest is; nothing can be read</source>
+        <translation>%1: der Anfang der Datei ist beschädigt, in dem steht, wo das Übrige ist; nichts lässt sich lesen</translation>
+    </message>
+    <message>
         <source>%1: the disk is full</source>
         <translation>%1: der Datenträger ist voll</translation>
+    </message>
+    <message>
+        <source>%1: the file is damaged at its beginning</source>
+        <translation>%1: die Datei ist an ihrem Anfang beschädigt</translation>
     </message>
     <message>
         <source>%1: the file is damaged%2</source>
@@ -5653,6 +5669,14 @@
     <message>
         <source>Add the rate with which the take was recorded to its meta table</source>
         <translation>Die Rate, mit der aufgenommen wurde, in die Tabelle meta der Aufnahme eintragen</translation>
+    </message>
+    <message>
+        <source>All of it could be read</source>
+        <translation>Alles ließ sich lesen</translation>
+    </message>
+    <message>
+        <source>All that was found could be read</source>
+        <translation>Alles Gefundene ließ sich lesen</translation>
     </message>
     <message>
         <source>Ask its author what is in it; `noctule --batch recover` may save the rest</source>
@@ -5771,6 +5795,10 @@
         <translation>`noctule --batch recover` darauf ausführen, das alles Lesbare in eine neue Datei rettet</translation>
     </message>
     <message>
+        <source>Saved of it: %1; everything else is complete</source>
+        <translation>Davon gesichert: %1; alles Übrige ist vollständig</translation>
+    </message>
+    <message>
         <source>Use a copy of it, if there is one</source>
         <translation>Eine Kopie davon verwenden, falls es eine gibt</translation>
     </message>
@@ -5823,8 +5851,16 @@
         <translation>ein Wert fehlt, oder es endet, bevor es beginnt</translation>
     </message>
     <message>
+        <source>about %1 of %2</source>
+        <translation>etwa %1 von %2</translation>
+    </message>
+    <message>
         <source>actor: the performer's measures</source>
         <translation>actor: die Maße des Darstellers</translation>
+    </message>
+    <message>
+        <source>an unknown part of %1</source>
+        <translation>ein unbekannter Teil von %1</translation>
     </message>
     <message>
         <source>board %1 frame %2</source>
@@ -5913,6 +5949,10 @@
     <message>
         <source>names nobody but the room</source>
         <translation>nennt niemanden außer dem Raum</translation>
+    </message>
+    <message>
+        <source>nothing of %1</source>
+        <translation>nichts von %1</translation>
     </message>
     <message>
         <source>of another board</source>
@@ -6019,12 +6059,100 @@
         <translation>text fehlt</translation>
     </message>
     <message>
+        <source>the boards' orientations</source>
+        <translation>den Orientierungen der Platinen</translation>
+    </message>
+    <message>
+        <source>the body measures</source>
+        <translation>den Körpermaßen</translation>
+    </message>
+    <message>
+        <source>the box's reports</source>
+        <translation>den Meldungen der Treiberbox</translation>
+    </message>
+    <message>
+        <source>the clocks' offsets</source>
+        <translation>den Abweichungen der Uhren</translation>
+    </message>
+    <message>
+        <source>the computed poses</source>
+        <translation>den berechneten Posen</translation>
+    </message>
+    <message>
+        <source>the external root</source>
+        <translation>der Wurzel von außen</translation>
+    </message>
+    <message>
+        <source>the ground contacts</source>
+        <translation>den Bodenkontakten</translation>
+    </message>
+    <message>
+        <source>the inertial readings</source>
+        <translation>den Trägheitsmesswerten</translation>
+    </message>
+    <message>
+        <source>the list of calibrations</source>
+        <translation>der Liste der Kalibrierungen</translation>
+    </message>
+    <message>
+        <source>the list of gaps</source>
+        <translation>der Liste der Lücken</translation>
+    </message>
+    <message>
+        <source>the list of markers</source>
+        <translation>der Liste der Marken</translation>
+    </message>
+    <message>
+        <source>the list of notes</source>
+        <translation>der Liste der Notizen</translation>
+    </message>
+    <message>
+        <source>the list of results</source>
+        <translation>der Liste der Ergebnisse</translation>
+    </message>
+    <message>
+        <source>the list of robot drives</source>
+        <translation>der Liste der Roboterfahrten</translation>
+    </message>
+    <message>
+        <source>the measured distances</source>
+        <translation>den gemessenen Entfernungen</translation>
+    </message>
+    <message>
+        <source>the places of performers among each other</source>
+        <translation>den Orten der Darsteller zueinander</translation>
+    </message>
+    <message>
         <source>the quaternion is not a unit</source>
         <translation>das Quaternion hat nicht die Länge eins</translation>
     </message>
     <message>
+        <source>the reference motion</source>
+        <translation>der Referenzbewegung</translation>
+    </message>
+    <message>
+        <source>the robot's commands</source>
+        <translation>den Befehlen an den Roboter</translation>
+    </message>
+    <message>
+        <source>the robot's states</source>
+        <translation>den Zuständen des Roboters</translation>
+    </message>
+    <message>
         <source>the room</source>
         <translation>der Raum</translation>
+    </message>
+    <message>
+        <source>the sound</source>
+        <translation>dem Ton</translation>
+    </message>
+    <message>
+        <source>the sources' pulses</source>
+        <translation>den Pulsen der Quellen</translation>
+    </message>
+    <message>
+        <source>the suit's description</source>
+        <translation>der Beschreibung des Anzugs</translation>
     </message>
     <message>
         <source>the table has more than %1 rows</source>
@@ -6033,6 +6161,10 @@
     <message>
         <source>the take has more than 64 suits</source>
         <translation>die Aufnahme hat mehr als 64 Anzüge</translation>
+    </message>
+    <message>
+        <source>the take's details</source>
+        <translation>den Angaben zur Aufnahme</translation>
     </message>
     <message>
         <source>there are more than %1 rows</source>

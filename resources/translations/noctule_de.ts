@@ -9820,6 +9820,11 @@ Median; gut: unter %1</translation>
         <translation>%1 ist wiederhergestellt</translation>
     </message>
     <message>
+        <source>%1 was damaged; what could be read of it is saved. %2.</source>
+        <comment>how much was saved of it</comment>
+        <translation>%1 war beschädigt; was sich lesen ließ, ist gesichert. %2.</translation>
+    </message>
+    <message>
         <source>“%1” is open in another window</source>
         <translation>„%1“ ist in einem anderen Fenster offen</translation>
     </message>

@@ -48,8 +48,48 @@ TEST(Recover, OfADamagedTakeWhatCanBeReadIsSaved) {
     expectRefusal({"inspect", torn}, 3, {"noctule --batch recover"});
     const Ran ran = batch({"recover", torn, "--json"});
     ASSERT_EQ(ran.exit_code, 0) << ran.err;
-    EXPECT_EQ(ran.json()["takes"][0]["state"], "recovered");
+    const auto told = ran.json()["takes"][0];
+    EXPECT_EQ(told["state"], "recovered");
+    const auto lost = told["lost"];
+    EXPECT_NEAR(lost["sound"]["whole_s"].get<double>(), 302500 / 150000.0, 1e-9);
+    EXPECT_GT(lost["sound"]["saved_s"].get<double>(), 302500 / 150000.0 / 3);
+    EXPECT_LT(lost["sound"]["saved_s"].get<double>(), 302500 / 150000.0);
+    EXPECT_GT(lost["tables"]["adc_block"]["lost_rows"], 10);
+    EXPECT_EQ(lost["tables"]["reference"]["saved_rows"], 0);
+    EXPECT_EQ(lost["list_of_tables_damaged"], false);
     EXPECT_EQ(batch({"inspect", folder.file("walk_001_recovered.noctule")}).exit_code, 0);
+}
+
+TEST(Recover, DamageInsideOfAFinishedTakeIsFoundAndToldInWords) {
+    Folder folder;
+    const std::string torn = folder.file("walk_001.noctule");
+    std::string bytes = readBytes(kTinyTake);
+    bytes.replace(bytes.size() / 2, 40000, 40000, '\xff');
+    writeBytes(torn, bytes);
+    const Ran ran = batch({"recover", torn});
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_NE(ran.out.find("was damaged. Saved of it: 1."), std::string::npos) << ran.out;
+    EXPECT_NE(ran.out.find(" s of 2.02 s of the sound; everything else is complete.\n"), std::string::npos)
+        << ran.out;
+}
+
+TEST(Recover, OfADamagedTakeWithALogBesideItWhatCanBeReadIsSaved) {
+    Folder folder;
+    const std::string torn = folder.file("walk_001.noctule"), whole = folder.file("whole.noctule");
+    std::filesystem::copy_file(kTinyTake, whole);
+    sqlite3* handle = nullptr;
+    ASSERT_EQ(sqlite3_open(whole.c_str(), &handle), SQLITE_OK);
+    EXPECT_EQ(
+        sqlite3_exec(handle, "PRAGMA journal_mode=WAL; INSERT INTO note(created_utc,text) VALUES('', 'x')",
+                     nullptr, nullptr, nullptr),
+        SQLITE_OK);
+    const std::string bytes = readBytes(whole);
+    writeBytes(torn, bytes.substr(0, bytes.size() / 2));
+    std::filesystem::copy_file(whole + "-wal", torn + "-wal");
+    sqlite3_close(handle);
+    const Ran ran = batch({"recover", torn, "--json"});
+    ASSERT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_TRUE(ran.json()["takes"][0].contains("lost"));
 }
 
 TEST(Recover, ABrokenTakeBecomesAFinishedOneAndStaysAsItIs) {

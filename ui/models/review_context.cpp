@@ -36,6 +36,8 @@ ReviewContext::ReviewContext(SharedContext& shared)
                      [&shared](const QString& what, const QString& remedy) {
                          emit shared.failed(what, remedy, About::kTake);
                      });
+    QObject::connect(&session, &SessionModel::warned, &here_,
+                     [&shared](const QString& what) { emit shared.warned(what, About::kTakes); });
     // What is written may have been ordered before what failed: only a new order tries it anew.
     QObject::connect(&changes_, &TakeChanges::ordered, &here_,
                      [&shared] { emit shared.settled(About::kTake); });
@@ -63,16 +65,21 @@ void ReviewContext::saveReadable(const QString& path) {
         }
     emit shared_.settled(About::kTake);
     const QString name = QFileInfo(path).completeBaseName();
-    shared_.jobs().start<QString>(
+    struct Saved {
+        QString path;
+        Recovery losses;
+    };
+    shared_.jobs().start<Saved>(
         SessionModel::tr("Recovering %1").arg(name),
-        [path, name](const JobContext& job) -> Result<QString> {
+        [path, name](const JobContext& job) -> Result<Saved> {
             const std::filesystem::path folder = QFileInfo(path).absolutePath().toStdString();
             const std::string copy = nextTakePath(folder, name.toStdString() + "_recovered").string();
-            if (const Status saved = noctule::saveReadable(path.toStdString(), copy, job); !saved)
+            const Result<Recovery> saved = recoverTake(path.toStdString(), copy, job);
+            if (!saved)
                 return saved.error();
-            return QString::fromStdString(copy);
+            return Saved{QString::fromStdString(copy), *saved};
         },
-        [here = QPointer(&here_), this, name](Result<QString> copy) -> QString {
+        [here = QPointer(&here_), this, name](Result<Saved> copy) -> QString {
             if (!here || (!copy && copy.error().kind == ErrorKind::kCancelled))
                 return {};
             if (!copy) {
@@ -82,7 +89,9 @@ void ReviewContext::saveReadable(const QString& path) {
                 return {};
             }
             if (!take_.isOpen())  // else the operator has gone on with another one
-                take_.open(*copy);
+                take_.open(copy->path);
+            if (copy->losses)
+                emit shared_.warned(SessionModel::savedInWords(name, *copy->losses), About::kTakes);
             return SessionModel::tr("%1 is recovered").arg(name);
         });
 }

@@ -282,33 +282,47 @@ void SessionModel::recover(int take) {
     emit triedAnew();
     emit recoveryChanged(take);
     const QString title = tr("Recovering %1").arg(QString::fromStdString(name));
-    jobs_.start<Session>(
+    struct Recovered {
+        Session session;
+        Recovery losses;
+    };
+    jobs_.start<Recovered>(
         title,
-        [copy = *session_, name](const JobContext& job) mutable -> Result<Session> {
-            if (const Status recovered = recoverTake(copy, name, job); !recovered)
+        [copy = *session_, name](const JobContext& job) mutable -> Result<Recovered> {
+            const Result<Recovery> recovered = recoverTake(copy, name, job);
+            if (!recovered)
                 return recovered.error();
-            return copy;
+            return Recovered{copy, *recovered};
         },
-        [model = QPointer(this), name, kept = keepInPlace(takePath(take))](Result<Session> copy) -> QString {
+        [model = QPointer(this), name,
+         kept = keepInPlace(takePath(take))](Result<Recovered> recovered) -> QString {
             if (!model || !model->session_)
                 return {};
             model->recovering_.erase(name);
             const auto tell_ended = [&] { emit model->recoveryChanged(model->session_->findTake(name)); };
-            if (!copy) {
+            if (!recovered) {
                 model->tell(tr("%1 could not be recovered; its file stays as it is")
                                 .arg(QString::fromStdString(name)),
-                            copy.error());
+                            recovered.error());
                 emit model->changed();
                 tell_ended();
                 return {};
             }
-            if (copy->folder != model->session_->folder)
+            const Session& copy = recovered->session;
+            if (copy.folder != model->session_->folder)
                 return {};
-            for (const SessionTake& known : copy->takes)
-                model->refresh(QString::fromStdString(copy->pathOf(known).string()));
+            for (const SessionTake& known : copy.takes)
+                model->refresh(QString::fromStdString(copy.pathOf(known).string()));
             tell_ended();
+            if (recovered->losses)
+                emit model->warned(savedInWords(QString::fromStdString(name), *recovered->losses));
             return tr("%1 is recovered").arg(QString::fromStdString(name));
         });
+}
+
+QString SessionModel::savedInWords(const QString& take, const TakeLosses& losses) {
+    return tr("%1 was damaged; what could be read of it is saved. %2.", "how much was saved of it")
+        .arg(take, coreWords(savedText(losses)));
 }
 
 }  // namespace noctule::ui

@@ -93,6 +93,8 @@ public:
     /// Finishes a take whose recording broke off; a job.
     void recover(int take);
     bool isRecovering(const std::string& take) const { return recovering_.count(take) > 0; }
+    /// What recovering a damaged take saved of it: whole sentences, for a warning.
+    static QString savedInWords(const QString& take, const TakeLosses& losses);
     /// Looks at a take's file again; one that has come into the folder is added.
     void refresh(const QString& take_path);
     void saveNow();
@@ -110,6 +112,8 @@ signals:
     void currentTakeChanged(int index);
     void takeAdded(const QString& name);  ///< imported
     void failed(const QString& message);
+    /// Nothing failed, but it should be known: whole sentences.
+    void warned(const QString& message);
     /// A session is opened, or something of it changed, imported or moved: what failed before is over.
     void triedAnew();
     void notSaved(const QString& message);

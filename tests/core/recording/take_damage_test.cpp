@@ -4,7 +4,6 @@
 
 #include <random>
 
-#include "core/recording/recover_take.h"
 #include "core/recording/take_edit.h"
 #include "tests/core/recording/collect.h"
 
@@ -315,62 +314,6 @@ TEST(DamagedTake, TruncatedAnywhere) {
     ASSERT_FALSE(take);
     EXPECT_EQ(take.error().kind, ErrorKind::kUnreadable);
     EXPECT_NE(take.error().remedy.find("noctule --batch recover"), std::string::npos) << take.error().text();
-}
-
-TEST(DamagedTake, WhatCanBeReadOfHalfAFileIsATake) {
-    const Folder folder;
-    const std::string whole = test::readBytes(test::kTinyTake);
-    const std::string torn = folder.file("torn.noctule"), saved = folder.file("saved.noctule");
-    const std::string half = whole.substr(0, whole.size() / 2);
-    test::writeBytes(torn, half);
-    const Status done = saveReadable(torn, saved, {});
-    ASSERT_TRUE(done) << done.error().text();
-    EXPECT_EQ(test::readBytes(torn), half);
-    const auto take = Take::open(saved), before = Take::open(test::kTinyTake);
-    ASSERT_TRUE(take) << take.error().text();
-    EXPECT_EQ(take->meta().at("state"), "recovered");
-    EXPECT_EQ(take->meta().at("uuid"), before->meta().at("uuid"));
-    EXPECT_GT(*take->sampleCount(), *before->sampleCount() / 3);
-    EXPECT_LT(*take->sampleCount(), *before->sampleCount());
-    EXPECT_FALSE(saveReadable(torn, saved, {})) << "nothing is overwritten";
-}
-
-/// Other programs number rows as they like.
-TEST(DamagedTake, RowsOfEveryNumberAreSaved) {
-    const Folder folder;
-    const std::string whole = test::tinyTake(folder), saved = folder.file("saved.noctule");
-    test::runSql(whole,
-                 "UPDATE pulse SET id=0 WHERE id=(SELECT min(id) FROM pulse);"
-                 "UPDATE marker SET id=-id;"
-                 "UPDATE adc_block SET id=9223372036854775807 WHERE id=(SELECT max(id) FROM adc_block)");
-    const Status done = saveReadable(whole, saved, {});
-    ASSERT_TRUE(done) << done.error().text();
-    const auto take = Take::open(saved), before = Take::open(whole);
-    ASSERT_TRUE(take && before);
-    EXPECT_EQ(take->pulses()->size(), before->pulses()->size());
-    EXPECT_EQ(take->markers()->size(), before->markers()->size());
-    EXPECT_EQ(*take->sampleCount(), *before->sampleCount());
-    const auto blocks = [](const Take& of) {
-        int count = 0;
-        EXPECT_TRUE(of.forEachBlock(1, [&count](const auto&) { return ++count > 0; }));
-        return count;
-    };
-    EXPECT_EQ(blocks(*take), blocks(*before));
-}
-
-TEST(DamagedTake, OfATakeWithoutItsFirstPageNothingIsSaved) {
-    const Folder folder;
-    std::string bytes = test::readBytes(test::kTinyTake);
-    bytes.replace(100, 3996, 3996, '\xff');
-    const std::string torn = folder.file("torn.noctule"), saved = folder.file("saved.noctule");
-    test::writeBytes(torn, bytes);
-    const auto take = Take::open(torn);
-    ASSERT_FALSE(take);
-    EXPECT_TRUE(take.error().is_damage);
-    const Status done = saveReadable(torn, saved, {});
-    ASSERT_FALSE(done);
-    EXPECT_EQ(done.error().message, torn + ": nothing in it can be read");
-    EXPECT_FALSE(std::filesystem::exists(saved));
 }
 
 TEST(DamagedTake, FlippedBytes) {

@@ -185,7 +185,7 @@ TEST_F(SessionTakes, RecordingThatBrokeOffIsRecovered) {
     session.takes[0].notes = "the fall";
     EXPECT_EQ(session.takes[0].state, TakeState::kRecording);
     EXPECT_NE(session.takes[0].problem.find("safe"), std::string::npos);
-    const Status recovered = recoverTake(session, "walk_001", {});
+    const auto recovered = recoverTake(session, "walk_001", {});
     ASSERT_TRUE(recovered) << recovered.error().text();
     ASSERT_EQ(session.takes.size(), 1u);
     EXPECT_EQ(session.takes[0].state, TakeState::kRecovered);
@@ -202,7 +202,7 @@ TEST_F(SessionTakes, RecordingThatBrokeOffIsRecovered) {
     EXPECT_FALSE(recoverTake(session, "walk_001", {}));
 }
 
-TEST_F(SessionTakes, DamagedRecordingIsLeftAsItIs) {
+TEST_F(SessionTakes, OfADamagedRecordingWhatCanBeReadIsSaved) {
     newSession();
     const Path path = makeBrokenOff(takes() / "walk_001.noctule", 20);
     ASSERT_TRUE(Take::open(path.string(), Access::kReadWrite));  // SQLite brings the log into the file
@@ -213,9 +213,46 @@ TEST_F(SessionTakes, DamagedRecordingIsLeftAsItIs) {
     const std::string before = text(path);
     Session session = opened();
     ASSERT_EQ(session.takes.size(), 1u);
+    const auto recovered = recoverTake(session, "walk_001", {});
+    ASSERT_TRUE(recovered) << recovered.error().text();
+    ASSERT_TRUE(*recovered);
+    EXPECT_FALSE((*recovered)->empty());
+    EXPECT_EQ(session.takes[0].state, TakeState::kRecovered);
+    EXPECT_EQ(session.takes[0].duration_s, 20);
+    EXPECT_EQ(text(folder() / "trash" / "walk_001.noctule"), before);
+}
+
+TEST_F(SessionTakes, RecordingOfWhichNothingCanBeReadIsLeftAsItIs) {
+    newSession();
+    const Path path = makeBrokenOff(takes() / "walk_001.noctule", 2);
+    ASSERT_TRUE(Take::open(path.string(), Access::kReadWrite));  // SQLite brings the log into the file
+    std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+    file.seekp(100);
+    file << std::string(16384 - 100, '\x55');  // the whole list of tables
+    file.close();
+    const std::string before = text(path);
+    Session session = opened();
+    ASSERT_EQ(session.takes.size(), 1u);
     EXPECT_FALSE(recoverTake(session, "walk_001", {}));
     EXPECT_EQ(text(path), before);
     EXPECT_FALSE(isThere(folder() / "trash" / "walk_001.noctule"));
+}
+
+TEST_F(SessionTakes, DamageThatOpeningDoesNotSeeIsMendedToo) {
+    newSession();
+    const Path path = takes() / "walk_001.noctule";
+    fs::copy_file(NOCTULE_TEST_DATA "/takes/tiny_take.noctule", path);
+    std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+    file.seekp(static_cast<std::streamoff>(fs::file_size(path) / 2));
+    file << std::string(40000, '\xff');
+    file.close();
+    Session session = opened();
+    ASSERT_EQ(session.takes.at(0).state, TakeState::kComplete) << session.takes[0].problem;
+    const auto recovered = recoverTake(session, "walk_001", {});
+    ASSERT_TRUE(recovered) << recovered.error().text();
+    ASSERT_TRUE(*recovered);
+    EXPECT_EQ((*recovered)->tables.at(0).table, "adc_block");
+    EXPECT_EQ(session.takes[0].state, TakeState::kRecovered);
 }
 
 TEST_F(SessionTakes, WhatCanBeReadOfATornTakeTakesItsPlace) {
@@ -227,7 +264,7 @@ TEST_F(SessionTakes, WhatCanBeReadOfATornTakeTakesItsPlace) {
     Session session = opened();
     ASSERT_EQ(session.takes.size(), 1u);
     ASSERT_TRUE(session.takes[0].is_torn) << session.takes[0].problem;
-    const Status recovered = recoverTake(session, "walk_001", {});
+    const auto recovered = recoverTake(session, "walk_001", {});
     ASSERT_TRUE(recovered) << recovered.error().text();
     EXPECT_EQ(session.takes[0].state, TakeState::kRecovered);
     EXPECT_FALSE(session.takes[0].is_torn);

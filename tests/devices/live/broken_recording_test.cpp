@@ -116,7 +116,7 @@ std::unique_ptr<Recorder> recorderInto(const std::filesystem::path& folder, Reac
 /// reaches.
 int64_t expectRecovered(const Folder& folder, int64_t committed, const std::string& which) {
     const std::string broken = folder.file("walk_001.noctule"), safe = folder.file("safe.noctule");
-    const Status recovered = recoverTake(broken, safe, {});
+    const auto recovered = recoverTake(broken, safe, {});
     EXPECT_TRUE(recovered) << which << ": " << recovered.error().text();
     if (!recovered)
         return 0;
@@ -297,7 +297,7 @@ TEST(BrokenRecording, ADiskThatIsFullAllTheSameKeepsWhatWasCommitted) {
     }();
     if (is_whole)
         safe = state.path;
-    else if (const Status recovered = recoverTake(state.path, safe, {}); !recovered)
+    else if (const auto recovered = recoverTake(state.path, safe, {}); !recovered)
         FAIL() << recovered.error().text();
     const auto take = Take::open(safe);
     ASSERT_TRUE(take) << take.error().text();

@@ -8,6 +8,7 @@
 #include <QLocale>
 #include <QRegularExpression>
 
+#include "core/recording/losses.h"
 #include "core/report/html_report.h"
 #include "tests/core/report/made_report.h"
 
@@ -113,6 +114,20 @@ TEST_F(CoreWords, BoardsOfFindingsAreGerman) {
     EXPECT_EQ(
         coreWords("Board 6, Left forearm, is silent in the rest pose and keeps its old values").toStdString(),
         "Platine 6, Linker Unterarm, schweigt in der Ruhehaltung und behält ihre alten Werte");
+}
+
+TEST_F(CoreWords, SavedPartsOfADamagedTakeAreGerman) {
+    TakeLosses losses{{{"adc_block", 3, 5}, {"reference", 0, 7}, {"external_root", 54, 46}}, 1, 2};
+    EXPECT_EQ(
+        coreWords(savedText(losses)).toStdString(),
+        "Davon gesichert: 1,00 s von 2,00 s des Tons, nichts von der Referenzbewegung, etwa 54 % von der "
+        "Wurzel von außen; alles Übrige ist vollständig");
+    losses.tables.resize(1);
+    losses.may_have_had_more = true;
+    EXPECT_EQ(coreWords(savedText(losses)).toStdString(),
+              "Davon gesichert: 1,00 s von 2,00 s des Tons; alles Übrige ist vollständig. Auch das "
+              "Verzeichnis ihres Inhalts "
+              "ist beschädigt, es kann also mehr verloren sein");
 }
 
 TEST_F(CoreWords, StagesOfAJobAreGerman) {

@@ -173,12 +173,12 @@ TEST_F(SessionInWindow, ADamagedTakeIsToldInWords) {
         << window_->notices().titles().first().toStdString();
 }
 
-/// The whole of the first page but its header.
-void tear(const QString& path) {
+/// The first page from behind its header on; the list of tables stands at the page's end.
+void tear(const QString& path, int to = 4096) {
     QFile file(path);
     ASSERT_TRUE(file.open(QIODevice::ReadWrite));
     file.seek(100);
-    file.write(QByteArray(3996, '\xff'));
+    file.write(QByteArray(to - 100, '\xff'));
 }
 
 TEST_F(SessionInWindow, ADamagedTakeOffersAButtonAndNoShell) {
@@ -192,13 +192,28 @@ TEST_F(SessionInWindow, ADamagedTakeOffersAButtonAndNoShell) {
     Button* save = noticeButton("Save what can be read");
     ASSERT_TRUE(save);
     QTest::mouseClick(save, Qt::LeftButton);
-    ASSERT_TRUE(waitFor([this] { return studio_->jobs().idle(); }));
-    EXPECT_TRUE(studio_->take().isOpen() ||
-                window_->notices().titles() ==
-                    QStringList{"torn could not be recovered; its file stays as it is"})
+    ASSERT_TRUE(waitFor([this] { return studio_->take().isOpen(); }));
+    EXPECT_TRUE(window_->notices().titles().contains("torn was damaged; what could be read of it is saved"))
         << window_->notices().titles().join('\n').toStdString();
+    EXPECT_TRUE(isTold("more may be lost"));
     EXPECT_FALSE(isTold("--batch"));
     EXPECT_TRUE(QFile::exists(path));
+}
+
+TEST_F(SessionInWindow, ATakeOfWhichNothingCanBeReadIsTold) {
+    const QString path = folder_.filePath("torn.noctule");
+    ASSERT_TRUE(test::makeQuickTake(path.toStdString(), {}));
+    tear(path, 16384);
+    window_->open(path);
+    ASSERT_TRUE(waitFor([this] { return window_->notices().count() > 0; }));
+    Button* save = noticeButton("Save what can be read");
+    ASSERT_TRUE(save);
+    QTest::mouseClick(save, Qt::LeftButton);
+    const QStringList told{"torn could not be recovered; its file stays as it is"};
+    EXPECT_TRUE(waitFor([&] { return window_->notices().titles() == told; }))
+        << window_->notices().titles().join('\n').toStdString();
+    EXPECT_TRUE(isTold("the beginning of the file is damaged"));
+    EXPECT_FALSE(isTold("--batch"));
 }
 
 TEST_F(SessionInWindow, ADamagedTakeOfASessionOffersTheSame) {

@@ -346,6 +346,21 @@ TEST_F(SessionModelTest, InterruptedTakeIsRecovered) {
         [&] { return model_.session().takes[static_cast<size_t>(index)].state == TakeState::kRecovered; }));
 }
 
+TEST_F(SessionModelTest, HowMuchOfADamagedTakeIsSavedIsTold) {
+    const auto torn = takes() / "torn_001.noctule";
+    std::filesystem::copy_file(NOCTULE_TEST_DATA "/takes/tiny_take.noctule", torn);
+    std::filesystem::resize_file(torn, std::filesystem::file_size(torn) / 2);
+    ASSERT_TRUE(openAndWait());
+    QSignalSpy warned(&model_, &SessionModel::warned);
+    model_.recover(model_.session().findTake("torn_001"));
+    ASSERT_TRUE(waitFor([&] { return warned.count() == 1; }));
+    const QString told = warned[0][0].toString();
+    EXPECT_TRUE(told.startsWith("torn_001 was damaged; what could be read of it is saved. Saved of it: 1."))
+        << told.toStdString();
+    EXPECT_TRUE(told.contains(" s of 2.02 s of the sound, ")) << told.toStdString();
+    EXPECT_TRUE(told.endsWith("; everything else is complete.")) << told.toStdString();
+}
+
 TEST_F(SessionModelTest, DamagedSessionIsToldAndRebuilt) {
     noctule::test::SessionFolder::makeTake(takes() / "walk_004.noctule");
     std::ofstream(folder() / "session.json", std::ios::trunc) << "{";
