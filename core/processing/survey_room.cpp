@@ -111,13 +111,21 @@ Suit surveyedRoom(const RoomEvidence& take, const room_survey::RoomSurvey& surve
     return room;
 }
 
+/// Of one moment: the take may still be recorded.
+Result<RoomEvidence> gatherNow(Take& take, const std::string& performer, const JobContext& job) {
+    const auto moment = take.snapshot();
+    if (!moment)
+        return moment.error();
+    return gatherRoom(take, performer, job);
+}
+
 }  // namespace
 
 Result<SurveyedTake> calibrateRoom(const RoomRequest& request, const JobContext& job) {
     auto take = Take::open(request.take_path, Access::kRead, {job.cancel});
     if (!take)
         return take.error();
-    auto gathered = gatherRoom(*take, request.performer, job);
+    auto gathered = gatherNow(*take, request.performer, job);
     if (!gathered)
         return gathered.error();
     if (Status heights = addHeights(request, gathered->evidence); !heights)

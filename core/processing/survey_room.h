@@ -19,6 +19,7 @@ struct SurveyedTake {
     room_survey::RoomSurvey survey;
     Suit before{};  ///< the room as its places are in force in the take
 };
+/// Of a take that is still being recorded, what has been recorded so far.
 Result<SurveyedTake> calibrateRoom(const RoomRequest& request, const JobContext& job);
 
 /// Places of anchors, changed by an operator.

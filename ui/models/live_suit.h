@@ -38,6 +38,8 @@ public:
         QString shot;           ///< of the shot list; empty: none
         double rest_s = 0;      ///< the performer begins in the rest pose
         double pre_roll_s = 0;  ///< so much of what was seen before stands in the take
+        /// Of a room, of several suits: who began it shows it. It is neither processed nor opened in Review.
+        bool is_survey = false;
     };
     /// What a calibration works on: the last seconds of what is looked at, as a short take of its own.
     struct EvidencePlan {

@@ -297,10 +297,10 @@ GroupSuit LiveSuit::groupSuit() const {
     const StreamRequest request = requestOf(std::optional<TakePlan>());
     GroupSuit suit;
     suit.suit = wearing_.suit;
+    suit.calibration = request.calibration;
     if (wearing_.suit.isFixed())
         return suit;  // anchors in the room
     suit.subject = wearing_.performer;
-    suit.calibration = request.calibration;
     suit.actor = request.actor;
     suit.process = request.calibration.has_value();
     suit.rest_s = request.rest_s;

@@ -86,8 +86,12 @@ public:
     /// kNone to kRefused as of the suit that is looked at; of a take as of all.
     Phase phase() const;
     bool isTakeOpen() const;
+    /// Why those that are connected cannot begin a take together, in words; empty: they can.
+    QString whyNotRecord() const;
     /// In words why not, else empty.
     QString record(const LiveSuit::TakePlan& plan);
+    /// Of the take that runs, or ran last.
+    bool isSurvey() const { return plan_.is_survey; }
     void stopRecording();
     bool canPreRoll() const { return !areSeveral() && current_->suit.canPreRoll(); }
     /// Of the suit that has most.
@@ -136,7 +140,7 @@ signals:
     /// Over and saved, as LiveSuit::recordingEnded().
     void recordingEnded(const QString& take_name, const QString& trouble);
     void posesMissing(const QString& take_name);
-    /// A take of several is saved; it holds no poses yet, and can be processed.
+    /// A take of several is saved; it holds no poses yet, and can be processed. Not told of a survey's.
     void takeOfSeveral(const QString& path);
     void checkedChanged();
     void failed(const QString& what, const QString& remedy);
@@ -160,7 +164,6 @@ private:
     bool isWornByAnother(const SuitInUse& worn, const std::string& performer) const;
     std::string nameInTake(const SuitInUse& worn) const;
     // live_suits_take.cpp
-    QString whyNotRecord() const;
     void lookAtTake();
     void beginTake();
     GroupRequest requestOf(const LiveSuit::TakePlan& plan) const;
@@ -186,7 +189,7 @@ private:
 
     Phase take_phase_ = Phase::kNone;   ///< of a take of several; kNone: there is none
     std::vector<SuitInUse*> recorded_;  ///< by it
-    LiveSuit::TakePlan plan_;
+    LiveSuit::TakePlan plan_;           ///< of the take that began last
     std::shared_ptr<LiveGroup> group_;  ///< null: it waits until all suits are at rest
     bool stop_wanted_ = false;
     QString take_name_;

@@ -40,10 +40,14 @@ QString LiveSuits::whyNotRecord() const {
 }
 
 QString LiveSuits::record(const LiveSuit::TakePlan& plan) {
-    if (!areSeveral())
-        return current_->suit.record(plan);
     if (take_phase_ != Phase::kNone)
         return tr("A take is being recorded already.");
+    if (!areSeveral()) {
+        const QString why = current_->suit.record(plan);
+        if (why.isEmpty())
+            plan_ = plan;
+        return why;
+    }
     if (const QString why = whyNotRecord(); !why.isEmpty())
         return why;
     if (!session_.makeSure())
@@ -83,8 +87,11 @@ GroupRequest LiveSuits::requestOf(const LiveSuit::TakePlan& plan) const {
     request.all.take = std::move(take);
     for (const SuitInUse* worn : recorded_) {
         request.suits.push_back(worn->suit.groupSuit());
-        if (!worn->suit.suit().isFixed())
-            request.suits.back().subject = nameOf(*worn).toStdString();
+        if (worn->suit.suit().isFixed())
+            continue;
+        GroupSuit& suit = request.suits.back();
+        suit.subject = nameOf(*worn).toStdString();
+        suit.rest_s = std::max(suit.rest_s.value_or(0), plan.rest_s);
     }
     return request;
 }
@@ -188,7 +195,7 @@ void LiveSuits::takeEnded(const GroupReport& report, bool unasked) {
     session_.refresh(path);
     giveBack();
     emit recordingEnded(take_name_, trouble ? coreWords(*trouble) : QString());
-    if (can_be_processed)
+    if (can_be_processed && !plan_.is_survey)
         emit takeOfSeveral(path);
 }
 

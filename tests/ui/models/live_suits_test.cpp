@@ -192,7 +192,7 @@ TEST_F(LiveSuitsTest, AnchorsAreRecordedAsTheRoom) {
         TestBox::Options{.loops = true, .serial = "NB-000002", .drive_hz = 48000, .fixed = true});
     suits_->current().suit.connectTo(QString::fromStdString(ann_->address()), wearingOfTinyTake());
     ASSERT_TRUE(looks(suits_->current()));
-    suits_->add(QString::fromStdString(bob_->address()));
+    suits_->add(QString::fromStdString(bob_->address()), {wearingOfTinyTake().calibration, {}, 0});
     ASSERT_TRUE(looks(suits_->current()));
     EXPECT_EQ(suits_->nameOf(second()), "Room");
     EXPECT_EQ(session_.session().performers.size(), 1u) << "nobody wears it";
@@ -205,6 +205,30 @@ TEST_F(LiveSuitsTest, AnchorsAreRecordedAsTheRoom) {
     ASSERT_EQ(subjects->size(), 2u);
     EXPECT_FALSE(subjects->at(0).room);
     EXPECT_TRUE(subjects->at(1).room);
+    EXPECT_TRUE(recordedTake().calibrationInForce(2)) << "its sources sound late by what it says";
+}
+
+TEST_F(LiveSuitsTest, ASurveyBeginsInTheRestPoseThatItAsksForAndIsNotToBeProcessed) {
+    openSession();
+    ASSERT_TRUE(connectBoth());
+    QSignalSpy several(suits_.get(), &LiveSuits::takeOfSeveral),
+        ended(suits_.get(), &LiveSuits::recordingEnded);
+    ASSERT_EQ(suits_->record({.base_name = "room", .rest_s = 1.5, .is_survey = true}), "");
+    ASSERT_TRUE(waitFor([&] { return suits_->phase() == SuitsPhase::kRecording; }));
+    EXPECT_TRUE(suits_->isSurvey());
+    ASSERT_TRUE(waitFor([&] { return suits_->recordedSeconds() > 0.3; }));
+    suits_->stopRecording();
+    ASSERT_TRUE(waitFor([&] { return ended.count() == 1; }));
+    EXPECT_TRUE(suits_->isSurvey()) << "until the next one begins";
+    EXPECT_EQ(several.count(), 0);
+    const auto rest = recordedTake().restInterval(1);
+    ASSERT_TRUE(rest && *rest);
+    EXPECT_GE((*rest)->last, 224'999) << "1.5 s at 150 kHz";
+    ASSERT_TRUE(waitFor([&] { return looks(first()) && looks(second()); }));
+    ASSERT_TRUE(recordFor(0.3));
+    EXPECT_FALSE(suits_->isSurvey());
+    suits_->stopRecording();
+    ASSERT_TRUE(waitFor([&] { return ended.count() == 2; }));
 }
 
 TEST_F(LiveSuitsTest, SuitsThatCannotBeToldApartAreRefusedInWords) {

@@ -238,6 +238,19 @@ TEST_F(TwoSuitsTest, OneButtonRecordsBothAndReviewAndExportHaveBoth) {
     EXPECT_TRUE(bothLook()) << "and the suits go on";
 }
 
+TEST_F(TwoSuitsTest, ASurveyIsShownWhereItWasBegun) {
+    addBoth();
+    QSignalSpy steps(studio_.get(), &Studio::stepRequested);
+    ASSERT_EQ(suits().record({.base_name = "room", .is_survey = true}), "");
+    ASSERT_TRUE(waitFor([&] { return suits().recordedSeconds() > 0.5; }));
+    EXPECT_EQ(run().state(), RecordRun::State::kRecording);
+    suits().stopRecording();
+    ASSERT_TRUE(waitFor([&] { return !suits().isTakeOpen() && studio_->jobs().idle(); }));
+    EXPECT_EQ(studio_->session().session().takes.size(), 1u);
+    EXPECT_EQ(studio_->session().currentTake(), -1);
+    EXPECT_EQ(steps.size(), 0);
+}
+
 TEST_F(TwoSuitsTest, AProgramThatDiesIsNamedAndTheOtherIsRecordedOn) {
     addBoth();
     ASSERT_TRUE(recordFor(1));

@@ -287,6 +287,8 @@ void RecordRun::onEnded(const QString& take, const QString& trouble) {
     }
     chooseDueShot();
     emit changed();
+    if (capture_.suits().isSurvey())
+        return;  // it is shown where it was begun
     SessionModel& session = capture_.shared().session();
     const int index = session.isOpen() ? session.session().findTake(take.toStdString()) : -1;
     if (index < 0)
