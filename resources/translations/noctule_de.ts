@@ -2664,6 +2664,10 @@
         <comment>file, key</comment>
         <translation>%1 ist in Gebrauch; rückgängig mit %2.</translation>
     </message>
+    <message>
+        <source>Somebody can walk past the anchors now</source>
+        <translation>Jetzt kann jemand an den Ankern vorbeigehen</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::CalibrationShelf</name>
@@ -9285,6 +9289,10 @@ Median; gut: unter %1</translation>
         <source>Ellipse: uncertainty. Line: walked.</source>
         <translation>Ellipse: Unsicherheit. Linie: gegangen.</translation>
     </message>
+    <message>
+        <source>nearly</source>
+        <translation>fast gut</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::RoomPage</name>
@@ -9330,14 +9338,6 @@ Median; gut: unter %1</translation>
     <message>
         <source>Somebody in a suit walks past all anchors, one minute; after an anchor was moved</source>
         <translation>Jemand im Anzug geht an allen Ankern vorbei, eine Minute; nachdem ein Anker bewegt wurde</translation>
-    </message>
-    <message>
-        <source>Record a take for the room: stand still in the rest pose in the middle, then walk slowly past all anchors and turn, for a minute. Or open such a take in Review.</source>
-        <translation>Eine Aufnahme für den Raum machen: in der Mitte in der Ruhehaltung still stehen, dann eine Minute langsam an allen Ankern vorbeigehen und sich drehen. Oder eine solche Aufnahme in „Prüfen“ öffnen.</translation>
-    </message>
-    <message>
-        <source>Go to Record</source>
-        <translation>Zur Aufnahme</translation>
     </message>
     <message>
         <source>Survey again</source>
@@ -9451,6 +9451,96 @@ Median; gut: unter %1</translation>
         <source>In use in %1; undo with %2. Results that it has were made with the earlier places.</source>
         <translation>In %1 in Gebrauch; mit %2 rückgängig. Ergebnisse, die sie hat, wurden mit den früheren Orten gemacht.</translation>
     </message>
+    <message>
+        <source>Go to Connect</source>
+        <translation>Zum Verbinden</translation>
+    </message>
+    <message>
+        <source>Walk and survey</source>
+        <translation>Gehen und vermessen</translation>
+    </message>
+    <message>
+        <source>The walk did not begin</source>
+        <translation>Der Gang hat nicht begonnen</translation>
+    </message>
+    <message>
+        <source>End the walk</source>
+        <translation>Gang beenden</translation>
+    </message>
+    <message>
+        <source>The take is being saved.</source>
+        <translation>Die Aufnahme wird gespeichert.</translation>
+    </message>
+    <message>
+        <source>Stand still in the rest pose in the middle, in sight of all anchors, then walk slowly past all of them and turn, for a minute. The places are shown meanwhile; the survey ends by itself when every anchor is good.</source>
+        <translation>In der Mitte in der Ruhehaltung still stehen, in Sicht aller Anker, dann eine Minute langsam an allen vorbeigehen und sich drehen. Die Orte erscheinen währenddessen; die Vermessung endet von selbst, wenn jeder Anker gut ist.</translation>
+    </message>
+    <message>
+        <source>Connect a suit and a box of anchors, then walk slowly past all anchors: the room is surveyed meanwhile. Or open a take with anchors in Review.</source>
+        <translation>Einen Anzug und eine Box mit Ankern verbinden, dann langsam an allen Ankern vorbeigehen: Der Raum wird währenddessen vermessen. Oder eine Aufnahme mit Ankern in „Prüfen“ öffnen.</translation>
+    </message>
+    <message>
+        <source>The recording begins</source>
+        <translation>Die Aufnahme beginnt</translation>
+    </message>
+    <message>
+        <source>Stand still in the rest pose</source>
+        <translation>In der Ruhehaltung still stehen</translation>
+    </message>
+    <message>
+        <source>The take is being saved</source>
+        <translation>Die Aufnahme wird gespeichert</translation>
+    </message>
+    <message numerus="yes">
+        <source>Walk slowly past all %n anchor(s)</source>
+        <translation>
+            <numerusform>Langsam an dem einen Anker vorbeigehen</numerusform>
+            <numerusform>Langsam an allen %n Ankern vorbeigehen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What was recorded is kept as a take when you leave.</source>
+        <translation>Was aufgenommen wurde, bleibt beim Verlassen als Aufnahme erhalten.</translation>
+    </message>
+    <message>
+        <source>Nobody has to measure: places come from what the anchors and the suit hear.</source>
+        <translation>Niemand muss messen: Die Orte kommen aus dem, was Anker und Anzug hören.</translation>
+    </message>
+    <message>
+        <source>Survey, %1 of %2 s</source>
+        <translation>Vermessung, %1 von %2 s</translation>
+    </message>
+    <message>
+        <source>Survey, %1 s</source>
+        <translation>Vermessung, %1 s</translation>
+    </message>
+    <message>
+        <source>In the middle, in sight of all anchors. The origin becomes where you stand, forward is where you face.</source>
+        <translation>In der Mitte, in Sicht aller Anker. Der Ursprung wird, wo Sie stehen; vorn ist, wohin Sie blicken.</translation>
+    </message>
+    <message>
+        <source>Nothing is found yet: %1</source>
+        <translation>Noch ist nichts gefunden: %1</translation>
+    </message>
+    <message>
+        <source>The first places come after some seconds of walking.</source>
+        <translation>Die ersten Orte kommen nach einigen Sekunden Gehen.</translation>
+    </message>
+    <message>
+        <source>Every anchor is good. Walk on until the survey ends by itself.</source>
+        <translation>Jeder Anker ist gut. Weitergehen, bis die Vermessung von selbst endet.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Not good yet: anchor %1. Walk slowly past, and turn.</source>
+        <translation>
+            <numerusform>Noch nicht gut: Anker %1. Langsam vorbeigehen und sich drehen.</numerusform>
+            <numerusform>Noch nicht gut: die Anker %1. Langsam vorbeigehen und sich drehen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The walk ended by itself</source>
+        <translation>Der Gang endete von selbst</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::RoomRun</name>
@@ -9461,6 +9551,59 @@ Median; gut: unter %1</translation>
     <message>
         <source>Surveying the room of %1</source>
         <translation>Den Raum von %1 vermessen</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::RoomWalk</name>
+    <message>
+        <source>No box of anchors is connected. Connect one first.</source>
+        <translation>Keine Box mit Ankern ist verbunden. Zuerst eine verbinden.</translation>
+    </message>
+    <message>
+        <source>No suit is connected. Connect the suit of whoever walks past the anchors.</source>
+        <translation>Kein Anzug ist verbunden. Den Anzug dessen verbinden, der an den Ankern vorbeigeht.</translation>
+    </message>
+    <message>
+        <source>The suit is not calibrated, so nobody knows where it hears from. Calibrate it first.</source>
+        <translation>Der Anzug ist nicht kalibriert, also weiß niemand, wo er hört. Ihn zuerst kalibrieren.</translation>
+    </message>
+    <message>
+        <source>It runs already.</source>
+        <translation>Er läuft schon.</translation>
+    </message>
+    <message>
+        <source>The anchors&apos; sources are not calibrated, so places are found to decimetres only. Import the calibration of their box first.</source>
+        <translation>Die Quellen der Anker sind nicht kalibriert, Orte werden also nur auf Dezimeter gefunden. Zuerst die Kalibrierung ihrer Box importieren.</translation>
+    </message>
+    <message>
+        <source>room</source>
+        <comment>first part of the names of takes</comment>
+        <translation>raum</translation>
+    </message>
+    <message>
+        <source>The recording did not begin, or could not be saved.</source>
+        <translation>Die Aufnahme hat nicht begonnen oder konnte nicht gespeichert werden.</translation>
+    </message>
+    <message>
+        <source>Stand still</source>
+        <translation>Still stehen</translation>
+    </message>
+    <message>
+        <source>Walk slowly past all anchors</source>
+        <translation>Langsam an allen Ankern vorbeigehen</translation>
+    </message>
+    <message>
+        <source>The link to %1 broke, so the recording has ended. What it holds is surveyed.</source>
+        <comment>name of a performer, or Room</comment>
+        <translation>Die Verbindung zu %1 ist abgerissen, darum ist die Aufnahme beendet. Was sie enthält, wird vermessen.</translation>
+    </message>
+    <message>
+        <source>Surveying the room while it is recorded</source>
+        <translation>Den Raum während der Aufnahme vermessen</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
     </message>
 </context>
 <context>

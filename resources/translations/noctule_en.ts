@@ -552,6 +552,20 @@
             <numerusform>hears anchors %1</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Walk slowly past all %n anchor(s)</source>
+        <translation>
+            <numerusform>Walk slowly past the anchor</numerusform>
+            <numerusform>Walk slowly past all %n anchors</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Not good yet: anchor %1. Walk slowly past, and turn.</source>
+        <translation>
+            <numerusform>Not good yet: anchor %1. Walk slowly past, and turn.</numerusform>
+            <numerusform>Not good yet: anchors %1. Walk slowly past, and turn.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::SessionModel</name>

@@ -90,6 +90,7 @@ void CalibratePage::enter() {
 void CalibratePage::leave() {
     if (wizard_->run())
         wizard_->run()->setPaused(true);
+    room_->leave();
 }
 
 bool CalibratePage::showsWizard() const {
@@ -263,6 +264,7 @@ void CalibratePage::checkBeforeTake() {
 }
 
 void CalibratePage::open(WizardTask task) {
+    room_->leave();
     of_suit_->show();
     session_ = sessionNow();
     back_to_record_ = false;
@@ -286,6 +288,7 @@ void CalibratePage::openRoom() {
 }
 
 void CalibratePage::showOverview() {
+    room_->leave();
     of_suit_->show();
     centre_->setCurrentWidget(overview_);
     right_->setCurrentIndex(0);
@@ -322,9 +325,11 @@ void CalibratePage::refresh() {
     cards_.at(WizardTask::kMagnetometers)->setVisible(has_field);
     room_card_->setVisible(RoomRun::hasRoom(studio_));
     room_card_->setState(Tone::kNeutral,
-                         room_->run().phase() == RoomRun::Phase::kNoTake
-                             ? tr("Needs a take in which somebody walks past the anchors")
-                             : tr("From the take that is open, %1").arg(room_->run().takeName()));
+                         room_->run().phase() != RoomRun::Phase::kNoTake
+                             ? tr("From the take that is open, %1").arg(room_->run().takeName())
+                         : room_->walk().isPossible()
+                             ? tr("Somebody can walk past the anchors now")
+                             : tr("Needs a take in which somebody walks past the anchors"));
     room_card_->setButton(tr("Survey"), false);
     for (const auto& [task, card] : cards_) {
         if (task == WizardTask::kCheck) {

@@ -21,6 +21,7 @@ using room_survey::SurveyedAnchor;
 constexpr double kLarger[] = {50, 20, 10, 5, 2, 1};
 constexpr double kSeen_m = 0.8;
 constexpr double kAround_m = 0.5, kLeast_m = 2, kPerson_m = 1.75;
+constexpr double kNearlyGood_m = 1.5 * room_survey::kGoodAnchor_m;
 constexpr int kPlanHead = 36, kPlanFoot = 32, kAnchor = 20;
 
 }  // namespace
@@ -35,6 +36,13 @@ AnchorState stateOf(const SurveyedAnchor& anchor) {
     if (anchor.sigma_m > room_survey::kGoodAnchor_m)
         return {Tone::kWarn, RoomDrawing::tr("weak")};
     return {Tone::kOk, RoomDrawing::tr("good")};
+}
+
+AnchorState stateSoFar(const SurveyedAnchor& anchor) {
+    AnchorState state = stateOf(anchor);
+    if (state.tone == Tone::kWarn && anchor.sigma_m <= kNearlyGood_m)
+        state.words = RoomDrawing::tr("nearly");
+    return state;
 }
 
 RoomDrawing::RoomDrawing(From from, QWidget* parent) : QWidget(parent), from_(from) {

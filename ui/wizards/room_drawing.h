@@ -16,6 +16,8 @@ struct AnchorState {
     QString words;  ///< "good"
 };
 AnchorState stateOf(const room_survey::SurveyedAnchor& anchor);
+/// The same while somebody walks past it: "nearly" of one that some more walking makes good.
+AnchorState stateSoFar(const room_survey::SurveyedAnchor& anchor);
 
 class RoomDrawing : public QWidget {
     Q_OBJECT

@@ -5,38 +5,27 @@
 #include <QFileInfo>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "ui/language/core_words.h"
 #include "ui/style/words.h"
 #include "ui/views/job_progress.h"
 #include "ui/views/scaled_layout.h"
-#include "ui/widgets/bar_meter.h"
 #include "ui/widgets/button.h"
-#include "ui/widgets/card.h"
 #include "ui/widgets/empty_state.h"
-#include "ui/widgets/icon_label.h"
 #include "ui/widgets/label.h"
 #include "ui/widgets/problem_card.h"
 #include "ui/widgets/scroll_area.h"
-#include "ui/widgets/section_header.h"
-#include "ui/wizards/calibration_table_card.h"
+#include "ui/wizards/hold_ring.h"
 #include "ui/wizards/measure_meter.h"
 #include "ui/wizards/room_drawing.h"
 
 namespace noctule::ui {
 namespace {
 
-using room_survey::RoomSurvey;
 using room_survey::SurveyedAnchor;
 
 constexpr double kHeardWell = 0.5;  ///< share of an anchor's pulses that anybody heard
-
-void clear(QBoxLayout& layout) {
-    while (QLayoutItem* item = layout.takeAt(0)) {
-        delete item->widget();
-        delete item;
-    }
-}
 
 QString headlineOf(Grade grade) {
     switch (grade) {
@@ -47,59 +36,6 @@ QString headlineOf(Grade grade) {
         default:
             return RoomPage::tr("The room cannot be used yet");
     }
-}
-
-/// "2 good, 1 weak"
-QString countOf(const RoomSurvey& survey) {
-    std::vector<std::pair<QString, int>> counts;
-    for (const SurveyedAnchor& anchor : survey.anchors) {
-        const QString words = stateOf(anchor).words;
-        const auto same = std::ranges::find(counts, words, &std::pair<QString, int>::first);
-        if (same == counts.end())
-            counts.emplace_back(words, 1);
-        else
-            ++same->second;
-    }
-    QStringList list;
-    for (const auto& [words, count] : counts)
-        list << QStringLiteral("%1 %2").arg(count).arg(words);
-    return list.join(", ");
-}
-
-QWidget* anchorCard(const RoomSurvey& survey, size_t index) {
-    const SurveyedAnchor& anchor = survey.anchors[index];
-    const AnchorState state = stateOf(anchor);
-    auto* card = new Card;
-    auto* column = makeColumn(card, {12, 8, 12, 10}, 6);
-    auto* head = addRow(column, 8);
-    head->addWidget(new Label(RoomPage::tr("Anchor %1").arg(QString::number(index + 1)), TextRole::kBody,
-                              Ink::kValue, true));
-    head->addWidget(new Label(QString::fromStdString(anchor.id), TextRole::kSecondary, Ink::kHint));
-    head->addStretch();
-    const Ink ink = state.tone == Tone::kOk ? Ink::kOk : state.tone == Tone::kWarn ? Ink::kWarn : Ink::kError;
-    head->addWidget(new IconLabel(iconOf(state.tone), [ink] { return colorOf(ink); }));
-    head->addWidget(new Label(state.words, TextRole::kSecondary, ink, true));
-    auto* numbers = addRow(column, 8);
-    if (anchor.placed) {
-        numbers->addWidget(new Label(RoomPage::tr("height %1").arg(metresText(anchor.place_m.y())),
-                                     TextRole::kSecondary, Ink::kLabel));
-        numbers->addWidget(new Label(QStringLiteral("±%1").arg(millimetresText(anchor.sigma_m)),
-                                     TextRole::kSecondary, state.tone == Tone::kOk ? Ink::kLabel : ink));
-    }
-    numbers->addStretch();
-    const QString heard = RoomPage::tr("heard %1 of %2").arg(anchor.heard).arg(anchor.sent);
-    numbers->addWidget(new Label(heard, TextRole::kSecondary, Ink::kLabel));
-    auto* bar = new BarMeter;
-    bar->setValue(anchor.heardShare(), state.tone, heard);
-    column->addWidget(bar);
-    QStringList hears;
-    for (const int other : anchor.hears)
-        hears << QString::number(other + 1);
-    if (!hears.isEmpty())
-        column->addWidget(
-            new Label(RoomPage::tr("hears anchor %1", nullptr, int(hears.size())).arg(hears.join(", ")),
-                      TextRole::kSecondary, Ink::kHint));
-    return card;
 }
 
 }  // namespace
@@ -119,14 +55,14 @@ RoomPage::RoomPage(Studio& studio, QWidget* parent)
     : QWidget(parent),
       studio_(studio),
       run_(new RoomRun(studio, this)),
+      walk_(new RoomWalk(studio, this)),
       lead_(new Label({}, TextRole::kBody, Ink::kLabel)),
       headline_(new Label({}, TextRole::kVerdict, Ink::kValue, true)),
       note_(new Label({}, TextRole::kSecondary, Ink::kHint)),
-      empty_(new EmptyState(
-          tr("Record a take for the room: stand still in the rest pose in the middle, then walk slowly past "
-             "all anchors and turn, for a minute. Or open such a take in Review."),
-          tr("Go to Record"), "record")),
+      empty_(new EmptyState({}, tr("Go to Connect"), "link")),
       found_(new QWidget),
+      ring_(new HoldRing),
+      walk_words_(new Label({}, TextRole::kBody, Ink::kLabel)),
       plan_(new RoomDrawing(RoomDrawing::From::kAbove)),
       front_(new RoomDrawing(RoomDrawing::From::kFront)),
       progress_(new JobProgress),
@@ -134,6 +70,7 @@ RoomPage::RoomPage(Studio& studio, QWidget* parent)
       error_(new MeasureMeter(MeasureMeter::Value::kBelow)),
       agreement_(new MeasureMeter(MeasureMeter::Value::kBelow)),
       words_(new Label({}, TextRole::kSecondary, Ink::kLabel)),
+      walk_button_(makeButton(ButtonKind::kOutlined, tr("Walk and survey"), "record")),
       survey_(makeButton(ButtonKind::kOutlined, tr("Survey again"), "redo")),
       use_(makeButton(ButtonKind::kPrimary, tr("Use these places"))),
       process_(makeButton(ButtonKind::kOutlined, tr("Process the take again"), "redo")),
@@ -141,14 +78,36 @@ RoomPage::RoomPage(Studio& studio, QWidget* parent)
       leave_(makeButton(ButtonKind::kText, tr("Back to Calibrate"))) {
     makeColumn(this)->addWidget(new ScrollArea(makeCentre()));
     side_ = makeSide();
-    connect(run_, &RoomRun::changed, this, &RoomPage::refresh);
+    connectParts();
+    refresh();
+}
+
+void RoomPage::connectParts() {
+    connect(run_, &RoomRun::changed, this, &RoomPage::followRun);
+    connect(walk_, &RoomWalk::changed, this, &RoomPage::refresh);
+    connect(walk_, &RoomWalk::ticked, this, &RoomPage::showTime);
+    connect(walk_, &RoomWalk::ended, this, &RoomPage::openWalked);
+    connect(&studio_.suits(), &LiveSuits::changed, this, [this] {
+        const std::pair now(walk_->phase(), walk_->whyNotBegin());
+        if (std::exchange(readiness_, now) != now)
+            refreshReadiness();
+    });
+    connect(&studio_.take(), &TakeDocument::failed, this, [this] {
+        opens_walked_ = false;
+        refresh();
+    });
+    connect(walk_button_, &QPushButton::clicked, this, &RoomPage::pressWalk);
     connect(survey_, &QPushButton::clicked, run_, &RoomRun::survey);
     connect(use_, &QPushButton::clicked, run_, &RoomRun::use);
     connect(process_, &QPushButton::clicked, this, &RoomPage::process);
     connect(save_, &QPushButton::clicked, this, &RoomPage::chooseFile);
     connect(leave_, &QPushButton::clicked, this, &RoomPage::leaveRequested);
-    connect(empty_, &EmptyState::activated, this, [this] { studio_.goTo(Step::kRecord); });
-    refresh();
+    connect(empty_, &EmptyState::activated, this, [this] {
+        if (walk_->isPossible())
+            pressWalk();
+        else
+            studio_.goTo(Step::kConnect);
+    });
 }
 
 QWidget* RoomPage::makeCentre() {
@@ -158,6 +117,7 @@ QWidget* RoomPage::makeCentre() {
     column->addWidget(headline_->wrapped());
     column->addWidget(progress_);
     column->addWidget(empty_, 1);
+    column->addWidget(makeWalk());
     auto* found = makeColumn(found_, {}, 16);
     auto* pictures = addRow(found, 16);
     found->setStretchFactor(pictures->parentWidget(), 1);
@@ -174,6 +134,14 @@ QWidget* RoomPage::makeCentre() {
     return centre;
 }
 
+QWidget* RoomPage::makeWalk() {
+    walk_row_ = new QWidget;
+    auto* row = makeRow(walk_row_, {}, 16);
+    row->addWidget(ring_);
+    row->addWidget(walk_words_->wrapped(), 1);
+    return walk_row_;
+}
+
 QWidget* RoomPage::makeSide() {
     auto* side = new QWidget(this);
     side->hide();
@@ -184,7 +152,7 @@ QWidget* RoomPage::makeSide() {
     auto* foot = new QWidget;
     auto* foot_column = makeColumn(foot, {12, 8, 12, 12}, 8);
     foot_column->addWidget(words_->wrapped());
-    for (Button* button : {use_, process_, save_})
+    for (Button* button : {use_, process_, save_, walk_button_})
         foot_column->addWidget(button);
     auto* row = addRow(foot_column, 8);
     row->addWidget(survey_);
@@ -195,37 +163,180 @@ QWidget* RoomPage::makeSide() {
 }
 
 void RoomPage::enter() {
-    if (run_->phase() == RoomRun::Phase::kReady)
+    if (!walk_->isRunning() && run_->phase() == RoomRun::Phase::kReady)
         run_->survey();
     refresh();
 }
 
+void RoomPage::leave() {
+    follows_walk_ = opens_walked_ = false;
+    walk_->end();
+}
+
+void RoomPage::pressWalk() {
+    if (walk_->isRunning())
+        return walk_->end();
+    follows_walk_ = true;
+    opens_walked_ = false;
+    walk_->begin();
+    if (!walk_->isRunning())
+        emit studio_.failed(tr("The walk did not begin"), walk_->trouble(), About::kCapture);
+}
+
+/// Its take becomes the one that is open; followRun() has it surveyed then.
+void RoomPage::openWalked(const QString& take) {
+    SessionModel& session = studio_.session();
+    const int index = session.isOpen() ? session.session().findTake(take.toStdString()) : -1;
+    if (!follows_walk_ || index < 0)
+        return;
+    walked_ = session.takePath(index);
+    opens_walked_ = true;
+    session.setCurrentTake(index);
+    refresh();
+}
+
+void RoomPage::followRun() {
+    if (opens_walked_ && studio_.take().path() == walked_ && run_->phase() == RoomRun::Phase::kReady) {
+        opens_walked_ = false;
+        return run_->survey();
+    }
+    refresh();
+}
+
 void RoomPage::refresh() {
+    words_->clear();
+    clearCards(*findings_);
+    clearCards(*anchors_);
+    refreshButtons();
+    refreshPictures();
+    if (walk_->isRunning())
+        showWalk();
+    else
+        showRun();
+    refreshReadiness();
+}
+
+void RoomPage::refreshButtons() {
     using enum RoomRun::Phase;
     const RoomRun::Phase phase = run_->phase();
-    progress_->follow(phase == kSurveying ? run_->job() : nullptr);
-    empty_->setVisible(phase == kNoTake);
-    found_->setVisible(phase == kResult || phase == kFailed);
-    survey_->setVisible(phase != kNoTake);
+    const bool walks = walk_->isRunning();
+    survey_->setVisible(!walks && phase != kNoTake);
     survey_->setDisabledBecause(phase == kSurveying ? tr("It is being surveyed.") : QString());
     survey_->setText(phase == kReady ? tr("Survey") : tr("Survey again"));
+    const bool is_placed =
+        !walks && phase == kResult &&
+        run_->result().result.room->boards.size() + run_->result().result.room->sources.size() > 0;
+    use_->setVisible(is_placed && !run_->isInUse());
+    process_->setVisible(!walks && phase == kResult && run_->isInUse());
+    save_->setVisible(is_placed);
+    walk_button_->setText(walks ? tr("End the walk") : tr("Walk and survey"));
+    walk_button_->setIconName(walks ? "stop" : "record");
+}
+
+/// Whether a walk can begin, and why not.
+void RoomPage::refreshReadiness() {
+    if (walk_->isRunning())
+        return walk_button_->setDisabledBecause(
+            walk_->phase() == RoomWalk::Phase::kSaving ? tr("The take is being saved.") : QString());
+    const QString why_not = walk_->whyNotBegin();
+    walk_button_->setDisabledBecause(why_not);
+    if (run_->phase() == RoomRun::Phase::kNoTake)
+        words_->setText(opens_walked_ ? QString() : why_not.isEmpty() ? walk_->caution() : why_not);
+    const bool is_possible = walk_->isPossible();
+    const QString sentence =
+        is_possible
+            ? tr("Stand still in the rest pose in the middle, in sight of all anchors, then walk "
+                 "slowly past all of them and turn, for a minute. The places are shown meanwhile; "
+                 "the survey ends by itself when every anchor is good.")
+            : tr("Connect a suit and a box of anchors, then walk slowly past all anchors: the room is "
+                 "surveyed meanwhile. Or open a take with anchors in Review.");
+    empty_->setSentence(sentence);
+    empty_->button()->setText(is_possible ? tr("Walk and survey") : tr("Go to Connect"));
+    empty_->button()->setIconName(is_possible ? "record" : "link");
+    empty_->button()->setDisabledBecause(is_possible ? why_not : QString());
+}
+
+void RoomPage::refreshPictures() {
+    const RoomRun::Phase phase = run_->phase();
+    const bool walks = walk_->isRunning();
+    const bool is_drawn = walks ? walk_->found() != nullptr : phase == RoomRun::Phase::kResult;
+    walk_row_->setVisible(walks);
+    progress_->follow(!walks && phase == RoomRun::Phase::kSurveying ? run_->job() : nullptr);
+    empty_->setVisible(!walks && !opens_walked_ && phase == RoomRun::Phase::kNoTake);
+    found_->setVisible(is_drawn || (!walks && phase == RoomRun::Phase::kFailed));
     for (QWidget* part :
          {static_cast<QWidget*>(plan_), static_cast<QWidget*>(front_), static_cast<QWidget*>(heard_),
           static_cast<QWidget*>(error_), static_cast<QWidget*>(agreement_), static_cast<QWidget*>(note_)})
-        part->setVisible(phase == kResult);
-    const bool is_placed =
-        phase == kResult &&
-        run_->result().result.room->boards.size() + run_->result().result.room->sources.size() > 0;
-    use_->setVisible(is_placed && !run_->isInUse());
-    process_->setVisible(phase == kResult && run_->isInUse());
-    save_->setVisible(is_placed);
+        part->setVisible(is_drawn);
+}
+
+void RoomPage::showWalk() {
+    switch (walk_->phase()) {
+        case RoomWalk::Phase::kStarting:
+            headline_->setText(tr("The recording begins"));
+            break;
+        case RoomWalk::Phase::kStanding:
+            headline_->setText(tr("Stand still in the rest pose"));
+            break;
+        case RoomWalk::Phase::kSaving:
+            headline_->setText(tr("The take is being saved"));
+            break;
+        default:
+            headline_->setText(tr("Walk slowly past all %n anchor(s)", nullptr, walk_->anchorCount()));
+            break;
+    }
+    walk_words_->setText(walkWords());
+    const QString caution = walk_->caution();
+    words_->setText(caution.isEmpty() ? tr("What was recorded is kept as a take when you leave.") : caution);
+    if (const SurveyedTake* found = walk_->found()) {
+        note_->setText(tr("Nobody has to measure: places come from what the anchors and the suit hear."));
+        showSurvey(*found, SurveyStage::kWalking);
+    }
+    showTime();
+}
+
+void RoomPage::showTime() {
+    if (!walk_->isRunning())
+        return;
+    const double seconds = walk_->seconds(), usual_s = walk_->times().usual_s;
+    const int now = static_cast<int>(seconds);
+    lead_->setText(seconds <= usual_s ? tr("Survey, %1 of %2 s").arg(now).arg(static_cast<int>(usual_s))
+                                      : tr("Survey, %1 s").arg(now));
+    const bool is_good = walk_->found() && RoomWalk::isEnough(walk_->found()->survey);
+    ring_->show(std::min(1.0, seconds / usual_s), usual_s, is_good ? Tone::kOk : Tone::kAccent);
+}
+
+/// What to do now.
+QString RoomPage::walkWords() const {
+    if (walk_->phase() == RoomWalk::Phase::kStanding)
+        return tr(
+            "In the middle, in sight of all anchors. The origin becomes where you stand, forward is "
+            "where you face.");
+    if (walk_->phase() != RoomWalk::Phase::kWalking)
+        return {};
+    if (walk_->hindrance())
+        return tr("Nothing is found yet: %1").arg(coreWords(*walk_->hindrance()));
+    if (!walk_->found())
+        return tr("The first places come after some seconds of walking.");
+    QStringList missing;
+    const auto& anchors = walk_->found()->survey.anchors;
+    for (size_t i = 0; i < anchors.size(); ++i)
+        if (stateOf(anchors[i]).tone != Tone::kOk)
+            missing << QString::number(i + 1);
+    if (missing.isEmpty())
+        return tr("Every anchor is good. Walk on until the survey ends by itself.");
+    return tr("Not good yet: anchor %1. Walk slowly past, and turn.", nullptr, int(missing.size()))
+        .arg(missing.join(", "));
+}
+
+void RoomPage::showRun() {
+    using enum RoomRun::Phase;
+    const RoomRun::Phase phase = run_->phase();
     lead_->setText(phase == kNoTake ? tr("Room") : tr("Room of %1").arg(run_->takeName()));
-    words_->clear();
-    clear(*findings_);
-    clear(*anchors_);
     switch (phase) {
         case kNoTake:
-            headline_->setText(tr("Walk slowly past all anchors"));
+            headline_->setText(opens_walked_ ? tr("The room is being surveyed")
+                                             : tr("Walk slowly past all anchors"));
             break;
         case kReady:
             headline_->setText(tr("Where do the anchors hang?"));
@@ -235,26 +346,37 @@ void RoomPage::refresh() {
             break;
         case kFailed:
             headline_->setText(tr("The room was not surveyed"));
-            findings_->addWidget(new ProblemCard(Tone::kError, coreWords(run_->error().message),
-                                                 coreWords(run_->error().remedy + ".")));
+            showErrorCard(*findings_, run_->error());
             break;
         case kResult:
             showResult();
             break;
     }
+    const bool is_walked = phase == kResult || phase == kFailed;
+    if (is_walked && studio_.take().path() == walked_ && !walk_->trouble().isEmpty())
+        findings_->insertWidget(
+            0, new ProblemCard(Tone::kWarn, tr("The walk ended by itself"), walk_->trouble()));
 }
 
-void RoomPage::showResult() {
-    const SurveyedTake& found = run_->result();
-    const Grade grade = found.result.grade();
-    headline_->setText(headlineOf(grade));
+int RoomPage::letterOf(const std::string& performer) const {
+    if (walk_->isRunning()) {
+        for (const SuitInUse* worn : studio_.suits().connected())
+            if (studio_.suits().nameOf(*worn).toStdString() == performer)
+                return studio_.suits().letterOf(*worn);
+        return 0;
+    }
     const auto& people = studio_.take().subjects();
-    const auto walked = std::ranges::find(people, found.survey.performer, &TakeSubject::name);
-    const int performer = walked != people.end() ? static_cast<int>(walked - people.begin()) : 0;
+    const auto walked = std::ranges::find(people, performer, &TakeSubject::name);
+    return walked != people.end() ? static_cast<int>(walked - people.begin()) : 0;
+}
+
+/// Drawings, meters and cards of what was found.
+void RoomPage::showSurvey(const SurveyedTake& found, SurveyStage stage) {
+    const int performer = letterOf(found.survey.performer);
     plan_->show(&found.survey, performer);
     front_->show(&found.survey, performer);
-    showFindings();
-    showAnchors();
+    showFindingCards(*findings_, found);
+    showAnchorCards(*anchors_, found, stage);
     const auto weakest = std::ranges::min_element(found.survey.anchors, {}, &SurveyedAnchor::heardShare);
     if (weakest != found.survey.anchors.end())
         heard_->setMeasure({tr("Anchors heard"),
@@ -268,6 +390,13 @@ void RoomPage::showResult() {
     };
     measure(*error_, tr("Largest error"), found.survey.worstSigma_m(), room_survey::kGoodAnchor_m);
     measure(*agreement_, tr("Agreement"), found.survey.median_m, room_survey::kGoodAgreement_m);
+}
+
+void RoomPage::showResult() {
+    const SurveyedTake& found = run_->result();
+    const Grade grade = found.result.grade();
+    headline_->setText(headlineOf(grade));
+    showSurvey(found, SurveyStage::kDone);
     note_->setText(
         found.survey.frame.of_performer
             ? tr("Nobody has to measure: places come from what the anchors and the suit hear. The origin is "
@@ -286,26 +415,6 @@ void RoomPage::showResult() {
             tr("The places come into force in %1. Other takes and the box itself get them from the "
                "file.")
                 .arg(run_->takeName()));
-}
-
-void RoomPage::showFindings() {
-    for (const std::string& warning : run_->result().result.warnings)
-        findings_->addWidget(new ProblemCard(Tone::kWarn, coreWords(warning), {}));
-    for (const Finding& finding : run_->result().result.document.findings)
-        findings_->addWidget(new ProblemCard(
-            finding.grade == Grade::kNotUsable ? Tone::kError : Tone::kWarn, coreWords(finding.what),
-            coreWords(finding.remedy.empty() ? std::string() : finding.remedy + ".")));
-}
-
-void RoomPage::showAnchors() {
-    const RoomSurvey& survey = run_->result().survey;
-    anchors_->addWidget(new SectionHeader(tr("Anchors"), countOf(survey)));
-    for (size_t i = 0; i < survey.anchors.size(); ++i)
-        anchors_->addWidget(anchorCard(survey, i));
-    const auto& tables = run_->result().result.document.tables;
-    if (!survey.distances.empty() && !tables.empty())
-        anchors_->addWidget(new CalibrationTableCard(tables.back()));
-    anchors_->addStretch();
 }
 
 void RoomPage::chooseFile() {

@@ -3,13 +3,12 @@
 // NOCTULE_TEST_PICTURES names a folder for a picture of it.
 #include "ui/wizards/room_page.h"
 
-#include <QLabel>
-#include <QProcess>
 #include <QUndoStack>
 
 #include "core/processing/room_evidence.h"
+#include "core/recording/database.h"
 #include "core/suit/placed_suit.h"
-#include "tests/ui/wizards/wizard_flow.h"
+#include "tests/ui/wizards/room_flow.h"
 #include "ui/wizards/room_drawing.h"
 #include "ui/wizards/task_card.h"
 
@@ -18,35 +17,12 @@ namespace {
 
 using namespace test;
 
-const std::string kResources = NOCTULE_SOURCE_DIR "/resources/";
-
-class RoomPageTest : public WizardFlow {
+class RoomPageTest : public RoomFlow {
 protected:
-    void SetUp() override {
-        WizardFlow::SetUp();
-        page_->resize(1000, 760);
-        ASSERT_TRUE(studio_->session().create(folder_.filePath("session"), "Room"));
-    }
-    /// A performer below four anchors; `duration` in seconds, as text.
-    QString makeTake(const QString& name, const QString& duration) {
-        const QString cast = folder_.filePath("cast.json"), take = folder_.filePath(name + ".noctule");
-        std::ofstream(cast.toStdString())
-            << R"({"subjects":[{"name":"Ada","motion":")" << kResources << R"(motions/sample.bvh","suit":")"
-            << kResources << R"(casts/transceivers_13.json","place":{"x_m":0,"z_m":0,"yaw_deg":0}}],"room":")"
-            << kResources << R"(casts/ceiling_4.json"})";
-        QProcess program;
-        program.start(NOCTULE_PROGRAM,
-                      {"--batch", "simulate", "--cast", cast, "--out", take, "--level", "readings",
-                       "--scenario", "nominal", "--duration", duration, "--seed", "4"});
-        EXPECT_TRUE(program.waitForFinished(120'000));
-        EXPECT_EQ(program.exitCode(), 0) << program.readAllStandardError().toStdString();
-        return take;
-    }
     void open(const QString& take) {
         studio_->session().importTakes({take});
         ASSERT_TRUE(waitLong([this] { return studio_->take().isOpen() && studio_->jobs().idle(); }));
     }
-    RoomRun& run() { return page_->room().run(); }
     void survey() {
         QTest::mouseClick(page_->roomCard()->button(), Qt::LeftButton);
         ASSERT_TRUE(waitLong([this] { return run().phase() != RoomRun::Phase::kSurveying; }));
@@ -58,20 +34,47 @@ protected:
             .sources[static_cast<size_t>(source)]
             .p_segment_source_m;
     }
-    bool says(QWidget& where, const QString& words) const {
-        for (const QLabel* label : where.findChildren<QLabel*>())
-            if (!label->isHidden() && label->text().contains(words))
-                return true;
-        return false;
-    }
 };
+
+/// A recorder that goes on while the take is read.
+class RecordsOn : public ProgressSink {
+public:
+    static constexpr int kMost = 3;
+
+    explicit RecordsOn(const Database& take) : take_(take) {}
+
+    void progress(double, const std::string&) override {
+        if (written_ < kMost)
+            written_ += take_
+                            .execute(
+                                "INSERT INTO pulse(suit, sample, source) SELECT suit, sample + 1000, 0 "
+                                "FROM pulse WHERE suit=2 ORDER BY sample DESC LIMIT 1")
+                            .ok();
+    }
+    int written() const { return written_; }
+
+private:
+    const Database& take_;
+    int written_ = 0;
+};
+
+int pulsesSent(const SurveyedTake& take) {
+    int sent = 0;
+    for (const room_survey::SurveyedAnchor& anchor : take.survey.anchors)
+        sent += anchor.sent;
+    return sent;
+}
 
 TEST_F(RoomPageTest, WithoutAnchorsThereIsNoCard) {
     EXPECT_TRUE(page_->roomCard()->isHidden());
     page_->openRoom();
     EXPECT_EQ(run().phase(), RoomRun::Phase::kNoTake);
     EXPECT_TRUE(says(page_->room(), "walk slowly past"));
+    EXPECT_TRUE(says(page_->room(), "Connect a suit and a box of anchors"));
+    EXPECT_TRUE(says(page_->room(), "Or open a take with anchors"));
     EXPECT_TRUE(page_->room().useButton()->isHidden());
+    EXPECT_FALSE(page_->room().walkButton()->isEnabled());
+    EXPECT_EQ(page_->room().walkButton()->toolTip(), "No box of anchors is connected. Connect one first.");
     run().survey();
     EXPECT_EQ(run().phase(), RoomRun::Phase::kNoTake);
 }
@@ -139,6 +142,24 @@ TEST_F(RoomPageTest, WhatCannotBeSurveyedIsSaidInPlace) {
     EXPECT_TRUE(says(page_->room(), "Walk slowly past it"));
     EXPECT_EQ(page_->room().useButton()->text(), "Use these places anyway");
     EXPECT_FALSE(run().isInUse());
+}
+
+TEST_F(RoomPageTest, ATakeThatIsRecordedIsSurveyedAsItWasAtOneMoment) {
+    RoomRequest request;
+    request.take_path = makeTake("walk_001", "8").toStdString();
+    auto recorder = Database::open(request.take_path, Access::kReadWrite);
+    ASSERT_TRUE(recorder) << recorder.error().text();
+    ASSERT_TRUE(recorder->execute("PRAGMA journal_mode=WAL"));
+    const auto before = calibrateRoom(request, {});
+    ASSERT_TRUE(before) << before.error().text();
+    RecordsOn recording(*recorder);
+    const auto meanwhile = calibrateRoom(request, {&recording, nullptr});
+    ASSERT_TRUE(meanwhile) << meanwhile.error().text();
+    EXPECT_EQ(recording.written(), RecordsOn::kMost);
+    EXPECT_EQ(pulsesSent(*meanwhile), pulsesSent(*before));
+    const auto after = calibrateRoom(request, {});
+    ASSERT_TRUE(after) << after.error().text();
+    EXPECT_EQ(pulsesSent(*after), pulsesSent(*before) + RecordsOn::kMost);
 }
 
 }  // namespace

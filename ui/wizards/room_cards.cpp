@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/wizards/room_cards.h"
+
+#include <algorithm>
+
+#include "ui/language/core_words.h"
+#include "ui/style/words.h"
+#include "ui/views/scaled_layout.h"
+#include "ui/widgets/bar_meter.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/icon_label.h"
+#include "ui/widgets/label.h"
+#include "ui/widgets/problem_card.h"
+#include "ui/widgets/section_header.h"
+#include "ui/wizards/calibration_table_card.h"
+#include "ui/wizards/room_drawing.h"
+#include "ui/wizards/room_page.h"
+
+namespace noctule::ui {
+namespace {
+
+using room_survey::RoomSurvey;
+using room_survey::SurveyedAnchor;
+
+AnchorState stateIn(SurveyStage stage, const SurveyedAnchor& anchor) {
+    return stage == SurveyStage::kWalking ? stateSoFar(anchor) : stateOf(anchor);
+}
+
+/// "2 good, 1 weak"
+QString countOf(const RoomSurvey& survey, SurveyStage stage) {
+    std::vector<std::pair<QString, int>> counts;
+    for (const SurveyedAnchor& anchor : survey.anchors) {
+        const QString words = stateIn(stage, anchor).words;
+        const auto same = std::ranges::find(counts, words, &std::pair<QString, int>::first);
+        if (same == counts.end())
+            counts.emplace_back(words, 1);
+        else
+            ++same->second;
+    }
+    QStringList list;
+    for (const auto& [words, count] : counts)
+        list << QStringLiteral("%1 %2").arg(count).arg(words);
+    return list.join(", ");
+}
+
+QWidget* anchorCard(const RoomSurvey& survey, size_t index, SurveyStage stage) {
+    const SurveyedAnchor& anchor = survey.anchors[index];
+    const AnchorState state = stateIn(stage, anchor);
+    auto* card = new Card;
+    auto* column = makeColumn(card, {12, 8, 12, 10}, 6);
+    auto* head = addRow(column, 8);
+    head->addWidget(new Label(RoomPage::tr("Anchor %1").arg(QString::number(index + 1)), TextRole::kBody,
+                              Ink::kValue, true));
+    head->addWidget(new Label(QString::fromStdString(anchor.id), TextRole::kSecondary, Ink::kHint));
+    head->addStretch();
+    const Ink ink = state.tone == Tone::kOk ? Ink::kOk : state.tone == Tone::kWarn ? Ink::kWarn : Ink::kError;
+    head->addWidget(new IconLabel(iconOf(state.tone), [ink] { return colorOf(ink); }));
+    head->addWidget(new Label(state.words, TextRole::kSecondary, ink, true));
+    auto* numbers = addRow(column, 8);
+    if (anchor.placed) {
+        numbers->addWidget(new Label(RoomPage::tr("height %1").arg(metresText(anchor.place_m.y())),
+                                     TextRole::kSecondary, Ink::kLabel));
+        numbers->addWidget(new Label(QStringLiteral("±%1").arg(millimetresText(anchor.sigma_m)),
+                                     TextRole::kSecondary, state.tone == Tone::kOk ? Ink::kLabel : ink));
+    }
+    numbers->addStretch();
+    const QString heard = RoomPage::tr("heard %1 of %2").arg(anchor.heard).arg(anchor.sent);
+    numbers->addWidget(new Label(heard, TextRole::kSecondary, Ink::kLabel));
+    auto* bar = new BarMeter;
+    bar->setValue(anchor.heardShare(), state.tone, heard);
+    column->addWidget(bar);
+    QStringList hears;
+    for (const int other : anchor.hears)
+        hears << QString::number(other + 1);
+    if (!hears.isEmpty())
+        column->addWidget(
+            new Label(RoomPage::tr("hears anchor %1", nullptr, int(hears.size())).arg(hears.join(", ")),
+                      TextRole::kSecondary, Ink::kHint));
+    return card;
+}
+
+}  // namespace
+
+void clearCards(QBoxLayout& column) {
+    while (QLayoutItem* item = column.takeAt(0)) {
+        delete item->widget();
+        delete item;
+    }
+}
+
+void showAnchorCards(QBoxLayout& column, const SurveyedTake& surveyed, SurveyStage stage) {
+    clearCards(column);
+    const RoomSurvey& survey = surveyed.survey;
+    column.addWidget(new SectionHeader(RoomPage::tr("Anchors"), countOf(survey, stage)));
+    for (size_t i = 0; i < survey.anchors.size(); ++i)
+        column.addWidget(anchorCard(survey, i, stage));
+    const auto& tables = surveyed.result.document.tables;
+    if (!survey.distances.empty() && !tables.empty())
+        column.addWidget(new CalibrationTableCard(tables.back()));
+    column.addStretch();
+}
+
+void showFindingCards(QBoxLayout& column, const SurveyedTake& surveyed) {
+    clearCards(column);
+    for (const std::string& warning : surveyed.result.warnings)
+        column.addWidget(new ProblemCard(Tone::kWarn, coreWords(warning), {}));
+    for (const Finding& finding : surveyed.result.document.findings)
+        column.addWidget(new ProblemCard(
+            finding.grade == Grade::kNotUsable ? Tone::kError : Tone::kWarn, coreWords(finding.what),
+            coreWords(finding.remedy.empty() ? std::string() : finding.remedy + ".")));
+}
+
+void showErrorCard(QBoxLayout& column, const Error& error) {
+    clearCards(column);
+    column.addWidget(new ProblemCard(Tone::kError, coreWords(error.message), coreWords(error.remedy + ".")));
+}
+
+}  // namespace noctule::ui

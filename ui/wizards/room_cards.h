@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a survey says of a room, as cards below each other: its anchors, and what is wrong with a remedy. Each
+// function fills a column anew.
+#pragma once
+
+#include "core/processing/survey_room.h"
+
+class QBoxLayout;
+
+namespace noctule::ui {
+
+enum class SurveyStage { kWalking, kDone };
+
+void clearCards(QBoxLayout& column);
+void showAnchorCards(QBoxLayout& column, const SurveyedTake& surveyed, SurveyStage stage);
+void showFindingCards(QBoxLayout& column, const SurveyedTake& surveyed);
+/// Nothing was found at all.
+void showErrorCard(QBoxLayout& column, const Error& error);
+
+}  // namespace noctule::ui
