@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/batch/cast_request.h"
+#include "app/virtual_suit/clock.h"
 #include "app/virtual_suit/simulated_source.h"
 
 namespace noctule::virtual_suit {
@@ -12,11 +13,12 @@ namespace {
 
 constexpr double kLongestCast_s = 86400;
 
-/// Milliseconds since 1970.
-Result<qint64> startInstant(const std::string& text) {
+/// On the clock of nowNs().
+Result<int64_t> startInstant(const std::string& text) {
     const qint64 now_ms = QDateTime::currentMSecsSinceEpoch();
+    const int64_t now_ns = nowNs();
     if (text == "now")
-        return now_ms;
+        return now_ns;
     const QDateTime instant = QDateTime::fromString(QString::fromStdString(text), Qt::ISODateWithMs);
     if (!instant.isValid() || instant.timeSpec() == Qt::LocalTime)
         return Error{ErrorKind::kUsage, "--start-at " + text + " is no instant of UTC",
@@ -25,7 +27,7 @@ Result<qint64> startInstant(const std::string& text) {
     if (std::abs(static_cast<double>(now_ms - start_ms)) > kLongestCast_s * 1e3)
         return Error{ErrorKind::kUsage, "--start-at " + text + " is more than a day away",
                      "Give an instant within a day of now, the same for all boxes"};
-    return start_ms;
+    return now_ns + (start_ms - now_ms) * 1'000'000;
 }
 
 std::string namesIn(const simulation::Cast& cast) {
@@ -38,9 +40,9 @@ std::string namesIn(const simulation::Cast& cast) {
 }  // namespace
 
 Result<SoundOfSuit> openCastBox(const Options& options) {
-    const auto start_ms = startInstant(options.arguments.text("start-at"));
-    if (!start_ms)
-        return start_ms.error();
+    const auto start_ns = startInstant(options.arguments.text("start-at"));
+    if (!start_ns)
+        return start_ns.error();
     batch::Console console(false, false);
     auto request = batch::castRequest(options.arguments.text("cast"), options.arguments, console, 0);
     if (!request)
@@ -56,10 +58,7 @@ Result<SoundOfSuit> openCastBox(const Options& options) {
         return Error{ErrorKind::kUsage,
                      options.arguments.text("cast") + ": nobody in the cast is called " + name,
                      "Give --subject " + namesIn(*cast)};
-    const auto since_start_s = [start = *start_ms] {
-        return static_cast<double>(QDateTime::currentMSecsSinceEpoch() - start) / 1e3;
-    };
-    return makeCastSource(std::move(*cast), static_cast<size_t>(suit), since_start_s);
+    return makeCastSource(std::move(*cast), static_cast<size_t>(suit), *start_ns);
 }
 
 }  // namespace noctule::virtual_suit

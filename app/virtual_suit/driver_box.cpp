@@ -14,6 +14,9 @@ constexpr int64_t kMeasureEvery_ns = 500 * kMillisecond_ns;
 constexpr int64_t kLastsWhenLow_ns = 60 * kSecond_ns;
 constexpr double kBattery_percent = 92;
 constexpr double kAhead_s = 0.4, kBuffer_s = 1;
+/// So far behind sound may be before the suit's clock stands still; a cast's is made after its beginning
+/// only.
+constexpr int64_t kPatience_ns = 250 * kMillisecond_ns, kTimedPatience_ns = 5 * kSecond_ns;
 
 link::Hello completed(link::Hello hello) {
     hello.model = "Noctule driver box";
@@ -109,7 +112,8 @@ void DriverBox::sample(int64_t now_ns) {
         conversation_->offer(std::move(block->adc));
     }
     if (!maker_.hasNext())  // else nothing is late: a hole in a take takes its time
-        pacer_.holdTo(conversation_->nextSample(), now_ns);
+        pacer_.holdTo(conversation_->nextSample(), now_ns,
+                      maker_.isTimed() ? kTimedPatience_ns : kPatience_ns);
     if (pacer_.lost_ns() > kSecond_ns && !std::exchange(told_late_, true))
         tell(
             "warning: this machine is too slow, the suit's clock stands still now and then; stream a take "
@@ -157,13 +161,15 @@ void DriverBox::handle(const link::BoxEvent& event) {
     if (std::holds_alternative<link::StartWanted>(event)) {
         const int64_t now_ns = nowNs();
         pacer_.start(now_ns);
+        if (maker_.isTimed())
+            maker_.restart(now_ns);
         wiring_.restart();
         told_end_ = told_late_ = false;
         timer_.start(kSampling_ms);
         tell("started at " + std::to_string(1e-9 * static_cast<double>(now_ns)) +
              " s of this machine's clock");
     } else if (std::holds_alternative<link::StopWanted>(event)) {
-        maker_.restart();
+        maker_.restart(nowNs());
         tell("stopped");
     } else if (const auto* wish = std::get_if<link::IdentifyWanted>(&event)) {
         const link::Identify& led = wish->identify;
@@ -172,7 +178,7 @@ void DriverBox::handle(const link::BoxEvent& event) {
                                                     std::to_string(led.duration_ms) + " ms");
     } else if (const auto* set = std::get_if<link::SettingsWanted>(&event)) {
         maker_.ask([settings = set->settings](SoundSource& source) { source.set(settings); });
-        maker_.restart();
+        maker_.restart(nowNs());
     } else if (const auto* dropped = std::get_if<link::ClientDropped>(&event)) {
         loseClient(dropped->why);
     }
@@ -218,7 +224,7 @@ void DriverBox::powerOff() {
 void DriverBox::powerOn() {
     powered_ = true;
     conversation_ = std::make_unique<link::BoxConversation>(first_hello_, options_);
-    maker_.restart();
+    maker_.restart(nowNs());
     for (const auto& port : ports_)
         port->setReachable(!cut_until_ns_);
     measure(nowNs());

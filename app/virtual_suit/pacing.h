@@ -21,20 +21,18 @@ public:
     int64_t due(int64_t now_ns) const {
         return static_cast<int64_t>(std::floor(static_cast<double>(now_ns - start_ns_) * samples_per_ns_));
     }
-    /// Only `made` samples are there: what is missing beyond kPatience_ns is not caught up, the suit's clock
+    /// Only `made` samples are there: what is missing beyond `patience_ns` is not caught up, the suit's clock
     /// has stood still meanwhile.
-    void holdTo(int64_t made, int64_t now_ns) {
+    void holdTo(int64_t made, int64_t now_ns, int64_t patience_ns) {
         const auto behind_ns =
             static_cast<int64_t>(static_cast<double>(due(now_ns) - made) / samples_per_ns_);
-        if (behind_ns <= kPatience_ns)
+        if (behind_ns <= patience_ns)
             return;
-        start_ns_ += behind_ns - kPatience_ns;
-        lost_ns_ += behind_ns - kPatience_ns;
+        start_ns_ += behind_ns - patience_ns;
+        lost_ns_ += behind_ns - patience_ns;
     }
     /// How long the suit's clock has stood still since start().
     int64_t lost_ns() const { return lost_ns_; }
-
-    static constexpr int64_t kPatience_ns = 250'000'000;
 
 private:
     double samples_per_ns_;

@@ -155,7 +155,7 @@ class LoneSource : public SimulatedSource {
 public:
     explicit LoneSource(std::unique_ptr<Stage> stage) : SimulatedSource(*stage), own_(std::move(stage)) {}
 
-    Status restart() override {
+    Status restart(int64_t /*begin_ns*/) override {
         own_->world->beginAgain();
         sampler_ = std::make_unique<SignalSampler>(*own_->world, own_->scenario, own_->truth, room_);
         room_ = sampler_->room();
@@ -174,17 +174,18 @@ private:
 /// One of several suits: it hears the others too.
 class CastSource : public SimulatedSource {
 public:
-    CastSource(std::unique_ptr<Cast> cast, size_t suit, std::function<double()> since_start_s)
+    CastSource(std::unique_ptr<Cast> cast, size_t suit, int64_t start_ns)
         : SimulatedSource(cast->suits[suit].stage),
           cast_(std::move(cast)),
           suit_(suit),
-          since_start_s_(std::move(since_start_s)) {}
+          start_ns_(start_ns) {}
 
-    Status restart() override {
+    bool isTimed() const override { return true; }
+    Status restart(int64_t begin_ns) override {
         const CastSuit& own = cast_->suits[suit_];
         const double rate_hz = own.stage.scenario.sample_rate_hz;
-        const auto first =
-            static_cast<int64_t>(std::llround(own.clock.suitTime_s(since_start_s_()) * rate_hz));
+        const double since_start_s = 1e-9 * static_cast<double>(begin_ns - start_ns_);
+        const auto first = static_cast<int64_t>(std::llround(own.clock.suitTime_s(since_start_s) * rate_hz));
         own.stage.world->beginAgain();
         staged_ = stagedSuits(*cast_);
         sampler_ = std::make_unique<CastSampler>(staged_, suit_, cast_->chamber, first);
@@ -197,7 +198,7 @@ private:
 
     std::unique_ptr<Cast> cast_;
     size_t suit_;
-    std::function<double()> since_start_s_;
+    int64_t start_ns_;
     std::vector<StagedSuit> staged_;
     std::unique_ptr<CastSampler> sampler_;
 };
@@ -236,10 +237,9 @@ SoundOfSuit makeSimulatedSource(Stage stage) {
     return sound;
 }
 
-SoundOfSuit makeCastSource(Cast cast, size_t suit, std::function<double()> since_start_s) {
+SoundOfSuit makeCastSource(Cast cast, size_t suit, int64_t start_ns) {
     SoundOfSuit sound = boxOf(cast.suits[suit].stage);
-    sound.source =
-        std::make_unique<CastSource>(std::make_unique<Cast>(std::move(cast)), suit, std::move(since_start_s));
+    sound.source = std::make_unique<CastSource>(std::make_unique<Cast>(std::move(cast)), suit, start_ns);
     return sound;
 }
 

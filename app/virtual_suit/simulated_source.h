@@ -2,8 +2,6 @@
 // A performer who wears the suit, simulated as the sound is asked for.
 #pragma once
 
-#include <functional>
-
 #include "app/virtual_suit/sound_source.h"
 #include "core/simulation/cast.h"
 
@@ -12,8 +10,8 @@ namespace noctule::virtual_suit {
 /// As long as the stage's performance lasts.
 SoundOfSuit makeSimulatedSource(simulation::Stage stage);
 
-/// One box of a cast. Its clock has been running since the cast began, and so have those of the others:
-/// `since_start_s` tells how long ago that was (negative: it is still to come).
-SoundOfSuit makeCastSource(simulation::Cast cast, size_t suit, std::function<double()> since_start_s);
+/// One box of a cast that begins at that instant (nowNs()). Its clock runs from then on, and so do those of
+/// the others.
+SoundOfSuit makeCastSource(simulation::Cast cast, size_t suit, int64_t start_ns);
 
 }  // namespace noctule::virtual_suit

@@ -3,6 +3,8 @@
 
 #include <exception>
 
+#include "app/virtual_suit/clock.h"
+
 namespace noctule::virtual_suit {
 
 SoundMaker::SoundMaker(std::unique_ptr<SoundSource> source, int board_count, int64_t ahead_samples)
@@ -10,6 +12,8 @@ SoundMaker::SoundMaker(std::unique_ptr<SoundSource> source, int board_count, int
       board_count_(board_count),
       ahead_samples_(ahead_samples),
       simulated_(source_->isSimulated()),
+      timed_(source_->isTimed()),
+      begin_ns_(nowNs()),
       thread_([this] { run(); }) {}
 
 SoundMaker::~SoundMaker() {
@@ -21,10 +25,11 @@ SoundMaker::~SoundMaker() {
     thread_.join();
 }
 
-void SoundMaker::restart() {
+void SoundMaker::restart(int64_t begin_ns) {
     {
         const std::lock_guard lock(mutex_);
         restart_wanted_ = true;
+        begin_ns_ = begin_ns;
         made_.clear();
         end_sample_.reset();
         handed_over_ = 0;
@@ -81,9 +86,9 @@ void SoundMaker::run() {
         if (leaving_)
             return;
         const auto wishes = std::exchange(wishes_, {});
-        const bool from_the_start = std::exchange(restart_wanted_, false);
+        const auto begin_ns = std::exchange(restart_wanted_, false) ? std::optional(begin_ns_) : std::nullopt;
         lock.unlock();
-        Result<SoundBlock> block = make(wishes, from_the_start);
+        Result<SoundBlock> block = make(wishes, begin_ns);
         lock.lock();
         if (restart_wanted_)
             continue;  // what was made belongs to the time before
@@ -102,11 +107,11 @@ bool SoundMaker::hasEnough() const {
 
 /// No exception leaves the thread. After an error comes silence.
 Result<SoundBlock> SoundMaker::make(const std::vector<std::function<void(SoundSource&)>>& wishes,
-                                    bool from_the_start) {
+                                    std::optional<int64_t> begin_ns) {
     try {
         for (const auto& wish : wishes)
             wish(*source_);
-        Result<SoundBlock> block = makeNext(from_the_start);
+        Result<SoundBlock> block = makeNext(begin_ns);
         source_is_over_ = source_is_over_ || !block;
         return block;
     } catch (const std::exception& mistake) {
@@ -116,11 +121,11 @@ Result<SoundBlock> SoundMaker::make(const std::vector<std::function<void(SoundSo
     }
 }
 
-Result<SoundBlock> SoundMaker::makeNext(bool from_the_start) {
-    if (from_the_start) {
+Result<SoundBlock> SoundMaker::makeNext(std::optional<int64_t> begin_ns) {
+    if (begin_ns) {
         next_sample_ = 0;
         source_is_over_ = false;
-        if (Status begun = source_->restart(); !begun)
+        if (Status begun = source_->restart(*begin_ns); !begun)
             return begun.error();
     }
     if (!source_is_over_) {

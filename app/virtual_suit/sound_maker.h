@@ -21,8 +21,8 @@ public:
     SoundMaker(const SoundMaker&) = delete;
     SoundMaker& operator=(const SoundMaker&) = delete;
 
-    /// From sample 0 again; nothing of before is handed over any more.
-    void restart();
+    /// From sample 0 again, taken at that instant; nothing of before is handed over any more.
+    void restart(int64_t begin_ns);
     /// The next block if it is made and ends at `due_samples` or before. Never waits.
     std::optional<SoundBlock> next(int64_t due_samples);
     /// The next block is made, and only not due yet.
@@ -33,6 +33,7 @@ public:
     /// Something is made: the first block of a simulation may take seconds.
     bool isReady();
     bool isSimulated() const { return simulated_; }
+    bool isTimed() const { return timed_; }
     Status accepts(const ControlCommand& command) const { return source_->accepts(command); }
     /// The source's last block has been handed over.
     bool ended();
@@ -43,13 +44,13 @@ private:
     void run();
     bool hasEnough() const;
     Result<SoundBlock> make(const std::vector<std::function<void(SoundSource&)>>& wishes,
-                            bool from_the_start);
-    Result<SoundBlock> makeNext(bool from_the_start);
+                            std::optional<int64_t> begin_ns);
+    Result<SoundBlock> makeNext(std::optional<int64_t> begin_ns);
 
     const std::unique_ptr<SoundSource> source_;
     const int board_count_;
     const int64_t ahead_samples_;
-    const bool simulated_;
+    const bool simulated_, timed_;
 
     std::mutex mutex_;
     std::condition_variable changed_;
@@ -57,6 +58,7 @@ private:
     std::vector<std::function<void(SoundSource&)>> wishes_;
     std::optional<Error> trouble_;
     bool leaving_ = false, restart_wanted_ = true;
+    int64_t begin_ns_;
     std::optional<int64_t> end_sample_;  ///< silence begins there
     int64_t handed_over_ = 0;
 

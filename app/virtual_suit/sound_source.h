@@ -26,8 +26,10 @@ class SoundSource {
 public:
     virtual ~SoundSource() = default;
 
-    /// Begins at sample 0.
-    virtual Status restart() = 0;
+    /// Begins at sample 0, which is taken at that instant (nowNs()).
+    virtual Status restart(int64_t begin_ns) = 0;
+    /// What it hears depends on that instant, for others hear it too: its clock must never stand still.
+    virtual bool isTimed() const { return false; }
     /// In rising order; a hole is a gap. Nothing: all has been played.
     virtual Result<std::optional<SoundBlock>> next() = 0;
 

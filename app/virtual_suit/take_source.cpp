@@ -32,7 +32,7 @@ class TakeSource : public SoundSource {
 public:
     TakeSource(TakeContent content, bool loop) : content_(std::move(content)), loop_(loop) {}
 
-    Status restart() override {
+    Status restart(int64_t /*begin_ns*/) override {
         lap_start_ = 0;
         rewind(0);
         return Done{};

@@ -61,6 +61,7 @@ struct JointCurve {
 /// Root mean squares of the drift, and its course.
 struct RootComparison {
     double yaw_deg = 0, tilt_deg = 0, position_m = 0;
+    double yaw_drift_deg_per_min = 0;                        ///< slope of the line through the yaw
     Course yaw_curve_deg, tilt_curve_deg, position_curve_m;  ///< yaw signed
 };
 

@@ -21,6 +21,7 @@ void RootDrift::add(double time_s, const RootState& estimate, const RootState& r
     if (!first_estimate_) {
         first_estimate_ = estimate;
         first_reference_ = reference;
+        begin_s_ = time_s;
         q_reference_estimate_ =
             axisAngle(Vector3d::UnitY(), yawOf(reference.q_world_root * estimate.q_world_root.conjugate()));
     }
@@ -35,6 +36,7 @@ void RootDrift::add(double time_s, const RootState& estimate, const RootState& r
     result_.yaw_curve_deg.add(time_s, apart[0]);
     result_.tilt_curve_deg.add(time_s, apart[1]);
     result_.position_curve_m.add(time_s, apart[2]);
+    yaw_.add(time_s - begin_s_, yawOf(error));
     squares_ += apart.cwiseAbs2();
     ++frames_;
 }
@@ -44,6 +46,7 @@ RootComparison RootDrift::finish() {
     result_.yaw_deg = root_mean_square[0];
     result_.tilt_deg = root_mean_square[1];
     result_.position_m = root_mean_square[2];
+    result_.yaw_drift_deg_per_min = yaw_.statistics().drift_deg_per_min;
     return std::move(result_);
 }
 

@@ -3,6 +3,7 @@
 // both are made equal at the first frame; tilt is measured against gravity and is compared as it is.
 #pragma once
 
+#include "core/motion/angle_collector.h"
 #include "core/motion/comparison.h"
 
 namespace noctule {
@@ -22,6 +23,8 @@ private:
     Quaterniond q_reference_estimate_;     // about the vertical, from the first frame
     Vector3d squares_ = Vector3d::Zero();  // yaw, tilt, position
     double frames_ = 0;
+    AngleCollector yaw_;
+    double begin_s_ = 0;
     RootComparison result_;
 };
 

@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "core/motion/angle_collector.h"
 #include "core/report/joint_support.h"
 #include "core/report/range_statistics.h"
 
@@ -80,12 +78,8 @@ private:
             verdict_.worst_joint = worst->name;
             charge(VerdictReason::kJointError, Grade::kUsable);
         }
-        AngleCollector yaw;
-        for (size_t i = 0; i < comparison_->time_s.size(); ++i)
-            yaw.add(comparison_->time_s[i] - comparison_->time_s.front(),
-                    comparison_->root.yaw_curve_deg[i] * std::numbers::pi / 180);
         if (comparison_->duration_s >= kLeastDrift_s)
-            verdict_.yaw_drift_deg_per_min = yaw.statistics().drift_deg_per_min;
+            verdict_.yaw_drift_deg_per_min = comparison_->root.yaw_drift_deg_per_min;
     }
 
     void listJoints() {

@@ -211,9 +211,12 @@ std::optional<double> LiveGroup::remaining_s() const {
 }
 
 void LiveGroup::stop() {
-    for (const Member& member : members_)
-        if (member.session->status()->stream_is_open)
+    for (Member& member : members_) {
+        const auto now = member.session->status();
+        member.flowed_to_the_end = now->link == LinkState::kStreaming;
+        if (now->stream_is_open)
             member.session->stop();
+    }
 }
 
 /// One sentence per suit; empty for those that lack nothing.
@@ -232,10 +235,16 @@ std::vector<std::string> LiveGroup::markMissing() {
         input->recorder->push(GapRow{from, std::llround(missing_s * now->hello->sample_rate_hz), std::nullopt,
                                      now->trouble ? kGapOfBox : kGapOfLink});
         char text[160];
-        std::snprintf(text, sizeof text,
-                      " was lost after %.1f s and did not come back; the last %.1f s of it are missing and "
-                      "marked as a gap. The other suits were recorded on.",
-                      reachedOf_s(i), missing_s);
+        if (members_[i].flowed_to_the_end && !now->trouble)
+            std::snprintf(text, sizeof text,
+                          " came late: when the recording was stopped, its last %.1f s were not there yet. "
+                          "They are marked as a gap.",
+                          missing_s);
+        else
+            std::snprintf(text, sizeof text,
+                          " was lost after %.1f s and did not come back; the last %.1f s of it are missing "
+                          "and marked as a gap. The other suits were recorded on.",
+                          reachedOf_s(i), missing_s);
         said[i] = asSentence(nameOf(i)) + text;
     }
     return said;

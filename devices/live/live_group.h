@@ -83,6 +83,7 @@ private:
         std::string address, name;
         std::shared_ptr<LiveSession> session;
         bool is_room = false;
+        bool flowed_to_the_end = false;  ///< was streaming when it was told to stop
     };
     struct Prepared {
         std::vector<StreamRequest> requests;

@@ -9877,6 +9877,10 @@
         <translation>die Live-Ansicht</translation>
     </message>
     <message>
+        <source>came late: when the recording was stopped, its last %.1f s were not there yet. They are marked as a gap.</source>
+        <translation>kam zu spät: Als die Aufnahme angehalten wurde, waren die letzten %.1f s noch nicht da. Sie sind als Lücke vermerkt.</translation>
+    </message>
+    <message>
         <source>was lost after %.1f s and did not come back; the last %.1f s of it are missing and marked as a gap. The other suits were recorded on.</source>
         <translation>ging nach %.1f s verloren und kam nicht zurück; die letzten %.1f s davon fehlen und sind als Lücke vermerkt. Die anderen Anzüge wurden weiter aufgenommen.</translation>
     </message>

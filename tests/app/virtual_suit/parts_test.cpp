@@ -31,11 +31,12 @@ TEST(Pacer, SamplesAreDueWhenTheyAreOver) {
 
 TEST(Pacer, ALittleIsCaughtUpAndALotIsNot) {
     Pacer pacer(150000, 2);
+    constexpr int64_t kPatience_ns = kPartSecond_ns / 4;
     pacer.start(0);
-    pacer.holdTo(270000, kPartSecond_ns);  // a tenth of a second behind
+    pacer.holdTo(270000, kPartSecond_ns, kPatience_ns);  // a tenth of a second behind
     EXPECT_EQ(pacer.lost_ns(), 0);
     EXPECT_NEAR(static_cast<double>(pacer.due(kPartSecond_ns)), 300000, 1);
-    pacer.holdTo(0, kPartSecond_ns);
+    pacer.holdTo(0, kPartSecond_ns, kPatience_ns);
     EXPECT_NEAR(static_cast<double>(pacer.lost_ns()), 0.75e9, 10);
     EXPECT_NEAR(static_cast<double>(pacer.due(kPartSecond_ns)), 75000, 2);
     pacer.start(kPartSecond_ns);
@@ -228,7 +229,7 @@ TEST(Address, WhatPeopleWrite) {
 class CountingSource : public SoundSource {
 public:
     int64_t ends_at = INT64_MAX, fails_at = INT64_MAX;
-    Status restart() override {
+    Status restart(int64_t /*begin_ns*/) override {
         next_sample_ = 0;
         return Done{};
     }
@@ -269,7 +270,7 @@ TEST(SoundMaker, GoesOnWithSilenceAndBeginsAgain) {
             EXPECT_EQ(block.adc.first_sample, at);
             EXPECT_EQ(block.adc.values, std::vector<int16_t>(600, at < 1200 ? 7 : 0));
         }
-        maker.restart();
+        maker.restart(0);
     }
     EXPECT_FALSE(maker.takeTrouble());
 }

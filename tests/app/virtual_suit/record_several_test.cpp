@@ -126,6 +126,45 @@ TEST(RecordSeveral, TwoBoxesBecomeOneTakeAndGoAllTheWay) {
         EXPECT_LT(subject["mean_deg"].get<double>(), 5) << subject.dump();
 }
 
+/// Whenever the studio lets it begin, a box sounds and hears as the others of its cast expect.
+TEST(RecordSeveral, ABoxOfACastKeepsTheTimeOfAll) {
+    SKIP_WITHOUT_MOTION();
+    const Folder folder;
+    std::ofstream(folder.file("cast.json"))
+        << R"({"shared_clock":true,"subjects":[{"motion":")" << kMotion << R"("},{"motion":")" << kMotion
+        << R"(","place":{"z_m":1.6}}]})";
+    const int64_t start_ms =
+        std::chrono::system_clock::now().time_since_epoch() / std::chrono::milliseconds(1) + 1000;
+    const double start_s = 1e-9 * static_cast<double>(nowNs()) + 1;
+    char start[40];
+    const time_t whole_s = start_ms / 1000;
+    tm utc{};
+    const size_t length = strftime(start, sizeof start, "%Y-%m-%dT%H:%M:%S", gmtime_r(&whole_s, &utc));
+    snprintf(start + length, sizeof start - length, ".%03dZ", static_cast<int>(start_ms % 1000));
+    RunningSuit box({"--cast", folder.file("cast.json"), "--subject", "B", "--start-at", start});
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    const Ran recorded = studio({"record", "--device", deviceOf(box), "--out-dir", folder.file("takes"),
+                                 "--name", "late", "--seconds", "2"});
+    ASSERT_EQ(recorded.exit_code, 0) << recorded.err;
+    const std::string out = box.end(SIGTERM).out;
+    const std::string said = "started at ";
+    ASSERT_NE(out.find(said), std::string::npos) << out;
+    const double began_s = std::stod(out.substr(out.find(said) + said.size()));
+
+    const auto take = Take::open(folder.file("takes/late_001.noctule"));
+    ASSERT_TRUE(take);
+    const auto pulses = take->pulses();
+    ASSERT_TRUE(pulses);
+    ASSERT_GT(pulses->size(), 8U);
+    // Eight sources take turns, from the beginning of the cast on.
+    const auto rate_hz = static_cast<double>(take->header().sample_rate_hz);
+    const double interval_s = static_cast<double>((*pulses)[1].sample - (*pulses)[0].sample) / rate_hz;
+    for (const Pulse& pulse : *pulses) {
+        const double since_s = began_s - start_s + static_cast<double>(pulse.sample) / rate_hz;
+        EXPECT_NEAR(std::remainder(since_s - pulse.source * interval_s, 8 * interval_s), 0, 0.003);
+    }
+}
+
 TEST(RecordSeveral, MistakesAreRefusedAndLeaveNothing) {
     const Folder folder;
     const auto refused = [&](int exit_code, std::vector<std::string> arguments,

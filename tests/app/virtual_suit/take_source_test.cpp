@@ -46,7 +46,7 @@ std::string numberedTake(const test::Folder& folder, int seconds, const std::str
 
 /// The sample of the take that is heard at each sample of the box, and the pulses.
 void expectPlayed(SoundSource& source, int64_t count, int64_t from) {
-    ASSERT_TRUE(source.restart());
+    ASSERT_TRUE(source.restart(0));
     int64_t heard = 0, pulses = 0;
     while (heard < 3 * count) {
         const auto block = source.next();

@@ -269,6 +269,18 @@ TEST(LiveGroup, ABoxThatIsLostLeavesAGapAndTheOthersGoOn) {
     EXPECT_TRUE(take->gaps(1)->empty());
 }
 
+TEST(LiveGroup, ABoxWhoseDataComeLateIsNotCalledLost) {
+    const Folder folder;
+    const auto report = recordedTogether({groupScript(1, kOfFirst, 30, 10), groupScript(2, kOfSecond, 30, 4)},
+                                         groupInto(folder), 1.0);
+    ASSERT_TRUE(report) << report.error().text();
+    ASSERT_EQ(report->suits[1].stream.warnings.size(), 1u);
+    const std::string& said = report->suits[1].stream.warnings[0];
+    EXPECT_NE(said.find("Suit 2 (fake://box2) came late"), std::string::npos) << said;
+    EXPECT_EQ(said.find("lost"), std::string::npos) << said;
+    EXPECT_TRUE(report->suits[0].stream.warnings.empty());
+}
+
 /// Cancels once the recording goes on.
 class CancelAtProgress : public ProgressSink {
 public:
