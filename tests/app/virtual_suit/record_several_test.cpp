@@ -146,7 +146,7 @@ TEST(RecordSeveral, ABoxOfACastKeepsTheTimeOfAll) {
     const Ran recorded = studio({"record", "--device", deviceOf(box), "--out-dir", folder.file("takes"),
                                  "--name", "late", "--seconds", "2"});
     ASSERT_EQ(recorded.exit_code, 0) << recorded.err;
-    const std::string out = box.end(SIGTERM).out;
+    const std::string out = box.end(SIGTERM).err;
     const std::string said = "started at ";
     ASSERT_NE(out.find(said), std::string::npos) << out;
     const double began_s = std::stod(out.substr(out.find(said) + said.size()));
