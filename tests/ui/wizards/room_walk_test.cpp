@@ -109,7 +109,7 @@ TEST_F(RoomWalkTest, WhatIsRecordedIsSurveyedMeanwhileAndTheTakeIsShownAtTheEnd)
     QSignalSpy steps(studio_.get(), &Studio::stepRequested);
     EXPECT_TRUE(waitLong([this] { return says(page_->room(), "Stand still in the rest pose"); }));
     ASSERT_TRUE(waitLong([this] { return walk().phase() == RoomWalk::Phase::kWalking; }));
-    EXPECT_TRUE(waitLong([this] { return says(page_->room(), "Walk slowly past all 4 anchors"); }));
+    EXPECT_TRUE(waitLong([this] { return says(page_->room(), "Walk slowly past all 4 anchor"); }));
     EXPECT_TRUE(says(page_->room(), " of 60 s"));
     EXPECT_EQ(button()->text(), "End the walk");
     EXPECT_TRUE(page_->room().surveyButton()->isHidden());
