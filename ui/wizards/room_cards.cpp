@@ -100,14 +100,24 @@ void showAnchorCards(QBoxLayout& column, const SurveyedTake& surveyed, SurveySta
     column.addStretch();
 }
 
-void showFindingCards(QBoxLayout& column, const SurveyedTake& surveyed) {
+void showFindingCards(QBoxLayout& column, const SurveyedTake& surveyed, SurveyStage stage) {
     clearCards(column);
+    const std::vector<Finding>& findings = surveyed.result.document.findings;
+    const auto add = [&column](const Finding& finding, Tone tone) {
+        column.addWidget(
+            new ProblemCard(tone, coreWords(finding.what),
+                            coreWords(finding.remedy.empty() ? std::string() : finding.remedy + ".")));
+    };
+    if (stage == SurveyStage::kWalking) {
+        const auto worst = std::ranges::max_element(findings, {}, &Finding::grade);
+        if (worst != findings.end())
+            add(*worst, Tone::kWarn);
+        return;
+    }
     for (const std::string& warning : surveyed.result.warnings)
         column.addWidget(new ProblemCard(Tone::kWarn, coreWords(warning), {}));
-    for (const Finding& finding : surveyed.result.document.findings)
-        column.addWidget(new ProblemCard(
-            finding.grade == Grade::kNotUsable ? Tone::kError : Tone::kWarn, coreWords(finding.what),
-            coreWords(finding.remedy.empty() ? std::string() : finding.remedy + ".")));
+    for (const Finding& finding : findings)
+        add(finding, finding.grade == Grade::kNotUsable ? Tone::kError : Tone::kWarn);
 }
 
 void showErrorCard(QBoxLayout& column, const Error& error) {

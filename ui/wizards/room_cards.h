@@ -13,7 +13,8 @@ enum class SurveyStage { kWalking, kDone };
 
 void clearCards(QBoxLayout& column);
 void showAnchorCards(QBoxLayout& column, const SurveyedTake& surveyed, SurveyStage stage);
-void showFindingCards(QBoxLayout& column, const SurveyedTake& surveyed);
+/// While somebody walks the worst alone: most of it mends itself.
+void showFindingCards(QBoxLayout& column, const SurveyedTake& surveyed, SurveyStage stage);
 /// Nothing was found at all.
 void showErrorCard(QBoxLayout& column, const Error& error);
 

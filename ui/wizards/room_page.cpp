@@ -375,7 +375,7 @@ void RoomPage::showSurvey(const SurveyedTake& found, SurveyStage stage) {
     const int performer = letterOf(found.survey.performer);
     plan_->show(&found.survey, performer);
     front_->show(&found.survey, performer);
-    showFindingCards(*findings_, found);
+    showFindingCards(*findings_, found, stage);
     showAnchorCards(*anchors_, found, stage);
     const auto weakest = std::ranges::min_element(found.survey.anchors, {}, &SurveyedAnchor::heardShare);
     if (weakest != found.survey.anchors.end())

@@ -123,6 +123,7 @@ TEST_F(RoomWalkTest, WhatIsRecordedIsSurveyedMeanwhileAndTheTakeIsShownAtTheEnd)
     } else {
         EXPECT_TRUE(says(page_->room(), "Nothing is found yet"));
     }
+    QTest::qWait(100);  // until the page is laid out
     if (const QString folder = qEnvironmentVariable("NOCTULE_TEST_PICTURES"); !folder.isEmpty())
         page_->grab().save(folder + "/room-walk.png");
     click(button());
