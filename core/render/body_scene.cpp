@@ -77,11 +77,4 @@ BodyPlaces placeBody(const Skeleton& skeleton, const Pose& pose, const Suit& sui
     return places;
 }
 
-std::optional<float> confidenceAt(const PairHistory& history, double t_s, double max_age_s) {
-    const auto after = std::upper_bound(history.t_s.begin(), history.t_s.end(), t_s);
-    if (after == history.t_s.begin() || t_s - *(after - 1) > max_age_s)
-        return std::nullopt;
-    return history.confidence[static_cast<size_t>(after - history.t_s.begin()) - 1];
-}
-
 }  // namespace noctule

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "core/body/skeleton.h"
@@ -45,13 +44,5 @@ SceneDisc softShadow(const Eigen::AlignedBox3d& box, const Rgba& color);
 /// The segment's frame of a board or source: where its placement is measured from. Identity for the world.
 Eigen::Isometry3d segmentFrame(const Skeleton& skeleton, const GlobalPose& joints,
                                const std::string& segment);
-
-/// What one pair heard; both of one length, times increasing.
-struct PairHistory {
-    std::span<const double> t_s;
-    std::span<const float> confidence;
-};
-/// The last confidence at or before t_s, unless it is older than max_age_s.
-std::optional<float> confidenceAt(const PairHistory& history, double t_s, double max_age_s = 0.12);
 
 }  // namespace noctule

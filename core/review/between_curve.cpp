@@ -146,4 +146,12 @@ Result<std::vector<BetweenTrack>> loadBetween(const TakeView& view, std::optiona
     return tracks;
 }
 
+const BetweenTrack* nearestHands(const std::vector<BetweenTrack>& tracks) {
+    const BetweenTrack* nearest = nullptr;
+    for (const BetweenTrack& track : tracks)
+        if (track.joint != "Hips" && (!nearest || track.least_m < nearest->least_m))
+            nearest = &track;
+    return nearest;
+}
+
 }  // namespace noctule

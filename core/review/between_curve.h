@@ -25,4 +25,7 @@ struct BetweenTrack {
 Result<std::vector<BetweenTrack>> loadBetween(const TakeView& view, std::optional<int64_t> run,
                                               int other_suit, const JobContext& job);
 
+/// The pair, other than the pelvises, that comes nearest in the take; null when there is none.
+const BetweenTrack* nearestHands(const std::vector<BetweenTrack>& tracks);
+
 }  // namespace noctule

@@ -46,6 +46,19 @@ Series rangeSeries(const RangeTable& table, int source, int board, RangeQuantity
     return makeSeries(std::move(series.t_s), std::move(series.value));
 }
 
+PairNow pairAt(const RangeTable& table, int source, int board, double t_s) {
+    const std::vector<double>& pulses = table.pulse_t_s[static_cast<size_t>(source)];
+    const auto after = std::upper_bound(pulses.begin(), pulses.end(), t_s);
+    if (after == pulses.begin() || t_s - *(after - 1) > kPairHold_s)
+        return {};
+    const double pulse_s = *(after - 1);
+    const PairTrack& track = table.pair(source, board);
+    const size_t at = countBefore(track.t_s, pulse_s);
+    if (at == track.t_s.size() || track.t_s[at] != pulse_s)
+        return {true, std::nullopt};
+    return {true, track.confidence[at]};
+}
+
 Series readingSeries(const ReadingTable& table, int board, int axis) {
     const BoardTrack& track = table.boards[static_cast<size_t>(board)];
     return makeSeries(track.t_s, track.value[static_cast<size_t>(axis)]);

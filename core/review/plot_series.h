@@ -15,6 +15,17 @@ enum class RangeQuantity {
 };
 Series rangeSeries(const RangeTable& table, int source, int board, RangeQuantity quantity);
 
+/// How long a value of a pair counts as "now": pulses of a source come every 64 ms with eight sources, three
+/// times.
+inline constexpr double kPairHold_s = 0.192;
+/// What became of a source's last pulse at or before t_s at one board: what the curve of the confidence holds
+/// at that time.
+struct PairNow {
+    bool has_pulse = false;           ///< there is one, not older than kPairHold_s
+    std::optional<float> confidence;  ///< of what was heard of it
+};
+PairNow pairAt(const RangeTable& table, int source, int board, double t_s);
+
 /// `axis`: 0..2 gyroscope in rad/s, 3..5 accelerometer in m/s^2. Lost and clipped readings break the curve.
 Series readingSeries(const ReadingTable& table, int board, int axis);
 

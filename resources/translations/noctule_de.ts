@@ -650,7 +650,11 @@
     </message>
     <message>
         <source>%1 of %2 to %3 of %4 (m)</source>
-        <translation>%1 von %2 zu %3 von %4 (m)</translation>
+        <translation>%1 von %2 – %3 von %4 (m)</translation>
+    </message>
+    <message>
+        <source>Processing…</source>
+        <translation>Wird verarbeitet …</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -1508,6 +1512,11 @@
     <message>
         <source>Ray confidence, source to board</source>
         <translation>Konfidenz der Strahlen, Quelle zu Platine</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>a distance and between which joints</comment>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
@@ -9784,7 +9793,16 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>Not heard from source %1</source>
-        <translation>Nicht gehört von Quelle %1</translation>
+        <translation>Quelle %1 nicht gehört</translation>
+    </message>
+    <message>
+        <source>No pulse from source %1 at this time</source>
+        <translation>Zu dieser Zeit kein Puls von Quelle %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 to %3 of %4</source>
+        <comment>joints of two performers</comment>
+        <translation>%1 von %2 – %3 von %4</translation>
     </message>
     <message>
         <source>Source %1, confidence %2</source>

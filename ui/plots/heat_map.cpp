@@ -5,10 +5,10 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "core/review/plot_series.h"
 #include "ui/models/part_names.h"
 #include "ui/plots/confidence_legend.h"
 #include "ui/plots/heard_switch.h"
-#include "ui/plots/lane_content.h"
 #include "ui/plots/pair_columns.h"
 #include "ui/style/words.h"
 #include "ui/widgets/elided_label.h"

@@ -14,11 +14,7 @@
 
 namespace noctule::ui {
 
-/// How long a value of a pair counts as "now": pulses of a source come every 64 ms with eight sources, three
-/// times.
-inline constexpr double kPairHold_s = 0.192;
-
-/// The same of a pose: they come at 120 frames a second, of a slow reference at 24.
+/// How long a pose counts as "now": they come at 120 frames a second, of a slow reference at 24.
 inline constexpr double kPoseHold_s = 0.1;
 
 struct LaneUnit {

@@ -31,14 +31,11 @@ const BetweenTrack* findTrack(const Tracks& tracks, const BetweenTrack& like) {
 /// Pelvis to pelvis, and the nearest of the other pairs.
 std::vector<const BetweenTrack*> chosenTracks(const Tracks& tracks) {
     std::vector<const BetweenTrack*> chosen;
-    const BetweenTrack* nearest = nullptr;
+    if (const BetweenTrack* nearest = nearestHands(*tracks))
+        chosen.push_back(nearest);
     for (const BetweenTrack& track : *tracks)
         if (track.joint == "Hips")
             chosen.push_back(&track);
-        else if (!nearest || track.least_m < nearest->least_m)
-            nearest = &track;
-    if (nearest)
-        chosen.insert(chosen.begin(), nearest);
     return chosen;
 }
 

@@ -69,13 +69,21 @@ void paintLegends(QPainter& painter, const QRectF& area, const std::vector<Scene
     }
 }
 
+QString rayWords() {
+    return QCoreApplication::translate("SceneOverlay", "Ray confidence, source to board");
+}
+
+QRectF rayLegendBox(const QRectF& area) {
+    const double width = std::max(px(180), QFontMetricsF(captionFont()).horizontalAdvance(rayWords()));
+    return {area.bottomRight() - QPointF(width + px(16), px(58)), QSizeF(width, px(44))};
+}
+
 void paintRayLegend(QPainter& painter, const QRectF& area) {
     const Theme& theme = Theme::get();
-    const QString words = QCoreApplication::translate("SceneOverlay", "Ray confidence, source to board");
+    const QString words = rayWords();
     painter.setFont(captionFont());
-    const double width = std::max<double>(px(180), painter.fontMetrics().horizontalAdvance(words)),
-                 bar = px(6);
-    const QPointF corner = area.bottomRight() - QPointF(width + px(16), px(58));
+    const double width = rayLegendBox(area).width(), bar = px(6);
+    const QPointF corner = rayLegendBox(area).topLeft();
     painter.setPen(theme.tokens().t2);
     painter.drawText(QRectF(corner, QSizeF(width, px(16))), Qt::AlignLeft | Qt::AlignVCenter, words);
     QLinearGradient ramp(corner, corner + QPointF(width, 0));
@@ -106,8 +114,17 @@ QRectF calloutBox(const QRectF& area, const QPointF& at, double clear_px, const 
     return box;
 }
 
+QRectF calloutBox(const QRectF& area, const SceneCallout& callout) {
+    const Theme& theme = Theme::get();
+    const QFontMetricsF title(theme.font(TextRole::kSecondary, true)), detail(theme.font(TextRole::kCaption));
+    const double line = title.height() + (callout.detail.isEmpty() ? 0 : detail.height() + px(2));
+    const double width =
+        std::max(title.horizontalAdvance(callout.title), detail.horizontalAdvance(callout.detail));
+    return calloutBox(area, callout.at, callout.clear_px, QSizeF(width + px(20), line + px(12)));
+}
+
 /// In a view that is hardly wider than its body a box would stand on it: the words stand below the feet.
-void paintCaption(QPainter& painter, const QRectF& area, const SceneCallout& callout, size_t legends) {
+void paintCaption(QPainter& painter, const QRectF& area, const OverlayContent& content, size_t legends) {
     const Theme& theme = Theme::get();
     const double row = px(18), left = area.left() + px(16), width = area.width() - px(24);
     double y = area.bottom() - px(18) - px(20) * static_cast<double>(legends) - row;
@@ -118,9 +135,16 @@ void paintCaption(QPainter& painter, const QRectF& area, const SceneCallout& cal
                          QFontMetricsF(font).elidedText(words, Qt::ElideRight, width));
         y -= row;
     };
-    if (!callout.detail.isEmpty())
-        line(theme.font(TextRole::kCaption), theme.tokens().t2, callout.detail);
-    line(theme.font(TextRole::kSecondary, true), theme.tokens().t1, callout.title);
+    // The number first: what is cut off is the names.
+    if (content.distance)
+        line(theme.font(TextRole::kCaption), theme.tokens().t2,
+             QCoreApplication::translate("SceneOverlay", "%1, %2", "a distance and between which joints")
+                 .arg(content.distance->text, content.distance->pair));
+    if (!content.callout)
+        return;
+    if (!content.callout->detail.isEmpty())
+        line(theme.font(TextRole::kCaption), theme.tokens().t2, content.callout->detail);
+    line(theme.font(TextRole::kSecondary, true), theme.tokens().t1, content.callout->title);
 }
 
 void paintCallout(QPainter& painter, const QRectF& area, const SceneCallout& callout) {
@@ -128,12 +152,7 @@ void paintCallout(QPainter& painter, const QRectF& area, const SceneCallout& cal
     const Tokens& tokens = theme.tokens();
     const QFont title_font = theme.font(TextRole::kSecondary, true),
                 detail_font = theme.font(TextRole::kCaption);
-    const QFontMetricsF title(title_font), detail(detail_font);
-    const double line = title.height() + (callout.detail.isEmpty() ? 0 : detail.height() + px(2));
-    const QSizeF size(
-        std::max(title.horizontalAdvance(callout.title), detail.horizontalAdvance(callout.detail)) + px(20),
-        line + px(12));
-    const QRectF box = calloutBox(area, callout.at, callout.clear_px, size);
+    const QRectF box = calloutBox(area, callout);
     const bool right = box.center().x() > callout.at.x();
     const QPointF knee(right ? box.left() : box.right(), box.center().y());
     const QPointF toward = knee - callout.at;
@@ -150,19 +169,54 @@ void paintCallout(QPainter& painter, const QRectF& area, const SceneCallout& cal
     painter.drawText(inner, Qt::AlignLeft | Qt::AlignBottom, callout.detail);
 }
 
-void paintDistance(QPainter& painter, const SceneDistance& distance) {
+bool hasRoom(const QRectF& area) {
+    return area.height() >= px(180) && area.width() >= px(240);
+}
+
+bool isNarrowArea(const QRectF& area) {
+    return area.width() < px(kNarrow);
+}
+
+bool hasRayLegend(const QRectF& area, const OverlayContent& content) {
+    return content.has_rays && hasRoom(area) && area.width() >= px(520);
+}
+
+QRectF around(const QPointF& at, double radius) {
+    return {at - QPointF(radius, radius), QSizeF(2 * radius, 2 * radius)};
+}
+
+/// What a distance must not stand on.
+std::vector<QRectF> taken(const QRectF& area, const OverlayContent& content) {
+    std::vector<QRectF> boxes{around(content.distance->from, px(12))};
+    for (const SceneTag& tag : content.tags)
+        boxes.push_back(around(tag.at, px(9)));
+    if (content.callout)
+        boxes.push_back(calloutBox(area, *content.callout));
+    const double legends = px(14) + px(20) * static_cast<double>(content.legends.size());
+    if (!content.legends.empty())
+        boxes.emplace_back(area.left(), area.bottom() - legends, px(220), legends);
+    if (content.has_axes)
+        boxes.push_back(around(area.bottomLeft() + QPointF(px(40), -px(36)), px(36)));
+    if (hasRayLegend(area, content))
+        boxes.push_back(rayLegendBox(area));
+    return boxes;
+}
+
+void paintDistance(QPainter& painter, const SceneDistance& distance, const QRectF& box) {
     const Theme& theme = Theme::get();
-    const QFont font = theme.font(TextRole::kSecondary, true);
-    QRectF box(QPointF(0, 0), QSizeF(QFontMetricsF(font).horizontalAdvance(distance.text) + px(20), px(26)));
-    box.moveCenter(distance.floor);
+    const double radius = px(12);
+    const bool below = box.top() > distance.from.y();
     painter.setPen(QPen(theme.tokens().acc, px(1.2)));
-    painter.setBrush(Qt::NoBrush);
-    painter.drawEllipse(distance.from, px(12), px(12));
-    painter.drawLine(distance.from + QPointF(0, px(12)), QPointF(distance.floor.x(), box.top()));
+    painter.drawLine(distance.from + QPointF(0, below ? radius : -radius),
+                     QPointF(box.center().x(), below ? box.top() : box.bottom()));
     paintBox(painter, box, px(4), theme.tokens().raised, theme.tokens().acc);
-    painter.setFont(font);
+    const QRectF inner = box.adjusted(px(10), px(6), -px(10), -px(6));
+    painter.setFont(theme.font(TextRole::kSecondary, true));
     painter.setPen(theme.tokens().t1);
-    painter.drawText(box, Qt::AlignCenter, distance.text);
+    painter.drawText(inner, Qt::AlignHCenter | Qt::AlignTop, distance.text);
+    painter.setFont(captionFont());
+    painter.setPen(theme.tokens().t2);
+    painter.drawText(inner, Qt::AlignHCenter | Qt::AlignBottom, distance.pair);
 }
 
 bool sameContent(const OverlayContent& a, const OverlayContent& b) {
@@ -176,7 +230,7 @@ bool sameContent(const OverlayContent& a, const OverlayContent& b) {
         return x.performer == y.performer && x.at == y.at;
     };
     const auto sameDistance = [](const SceneDistance& x, const SceneDistance& y) {
-        return x.from == y.from && x.floor == y.floor && x.text == y.text;
+        return x.from == y.from && x.floor == y.floor && x.text == y.text && x.pair == y.pair;
     };
     return a.distance.has_value() == b.distance.has_value() &&
            (!a.distance || sameDistance(*a.distance, *b.distance)) &&
@@ -206,24 +260,48 @@ void SceneOverlay::setContent(OverlayContent content) {
         update();
 }
 
+std::optional<QRectF> SceneOverlay::distanceBox(const QRectF& area, const OverlayContent& content) {
+    if (!content.distance || !hasRoom(area) || isNarrowArea(area))
+        return std::nullopt;
+    const SceneDistance& distance = *content.distance;
+    const QFontMetricsF text(Theme::get().font(TextRole::kSecondary, true)), pair(captionFont());
+    QRectF box(QPointF(0, 0),
+               QSizeF(std::max(text.horizontalAdvance(distance.text), pair.horizontalAdvance(distance.pair)) +
+                          px(20),
+                      text.height() + pair.height() + px(14)));
+    box.moveCenter(distance.floor);
+    const std::vector<QRectF> boxes = taken(area, content);
+    const QRectF inside = area.adjusted(px(8), px(52), -px(8), -px(8));
+    for (const int steps : {0, -1, 1, -2, 2, -3, 3, -4, 4, -5, 5, -6, 6}) {
+        const QRectF moved = box.translated(0, steps * box.height() / 2);
+        if (inside.contains(moved) &&
+            std::ranges::none_of(boxes, [&](const QRectF& other) { return other.intersects(moved); }))
+            return moved;
+    }
+    return std::nullopt;
+}
+
 void SceneOverlay::paint(QPainter& painter, const QRectF& area, const OverlayContent& content) {
     painter.setRenderHint(QPainter::Antialiasing);
-    const bool has_room = area.height() >= px(180) && area.width() >= px(240);
-    const bool narrow = area.width() < px(kNarrow);
+    const bool has_room = hasRoom(area), narrow = isNarrowArea(area);
     const bool has_axes = content.has_axes && has_room && !narrow;
     if (has_axes)
         paintAxes(painter, area, content.camera_axes);
-    if (has_room)
-        paintLegends(painter, area, content.legends, has_axes);
-    if (content.has_rays && has_room && area.width() >= px(520))
+    paintLegends(painter, area, content.legends, has_axes);
+    if (hasRayLegend(area, content))
         paintRayLegend(painter, area);
-    if (content.distance && has_room)
-        paintDistance(painter, *content.distance);
+    if (content.distance && has_room) {
+        painter.setPen(QPen(Theme::get().tokens().acc, px(1.2)));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawEllipse(content.distance->from, px(12), px(12));
+    }
+    if (const auto box = distanceBox(area, content))
+        paintDistance(painter, *content.distance, *box);
     for (const SceneTag& tag : content.tags)
         paintPerformerDisc(painter, QRectF(tag.at - QPointF(px(9), px(9)), QSizeF(px(18), px(18))),
                            tag.performer);
-    if (content.callout && narrow)
-        paintCaption(painter, area, *content.callout, has_room ? content.legends.size() : 0);
+    if (narrow)
+        paintCaption(painter, area, content, content.legends.size());
     else if (content.callout)
         paintCallout(painter, area, *content.callout);
 }

@@ -31,7 +31,7 @@ struct SceneTag {
 /// How far two people are from each other: on the floor between them, never over a body.
 struct SceneDistance {
     QPointF from, floor;  ///< between the hands, and below that
-    QString text;
+    QString text, pair;   ///< the distance, and between which joints it is
 };
 
 struct OverlayContent {
@@ -55,6 +55,9 @@ public:
     const OverlayContent& content() const { return content_; }
     /// The same onto any picture of the area's size.
     static void paint(QPainter& painter, const QRectF& area, const OverlayContent& content);
+    /// Where the distance stands, clear of everything else that is written; empty where it finds no room, and
+    /// in a narrow view, where it is a line below the body.
+    static std::optional<QRectF> distanceBox(const QRectF& area, const OverlayContent& content);
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -28,6 +28,7 @@ struct SceneView::Parts {
     SceneCanvas* canvas = nullptr;  ///< null: no OpenGL
     SceneOverlay* overlay = nullptr;
     SceneTools* tools = nullptr;
+    bool beside_other = false;
     int beside_tools_px = 0;  ///< not theirs, at the right end
     EmptyState* message = nullptr;
     CameraControl* control = nullptr;

@@ -214,6 +214,7 @@ Eigen::AlignedBox3d SceneView::bodyBox() const {
     constexpr double kMostCovered = 0.3;
     constexpr double kReach = 0.22;   // of the height with raised arms
     constexpr double kCaption = 0.2;  // below the feet, for the words of a narrow view
+    constexpr double kDistanceLine = 0.1;
     const double covered = parts_->tools->geometry().bottom() / std::max(1.0, 1.0 * height());
     Eigen::AlignedBox3d box = parts_->composed.places.box();
     box.extend(parts_->composed.others);
@@ -223,8 +224,10 @@ Eigen::AlignedBox3d SceneView::bodyBox() const {
                 box.extend(p_m.cast<double>());
     if (!parts_->figure && !parts_->live)
         extendByMotion(box);
-    if (SceneOverlay::isNarrow(*this))
-        box.extend(box.min() - Vector3d(0, kCaption * box.sizes().y(), 0));
+    if (SceneOverlay::isNarrow(*this)) {
+        const double caption = kCaption + (parts_->composed.others.isEmpty() ? 0 : kDistanceLine);
+        box.extend(box.min() - Vector3d(0, caption * box.sizes().y(), 0));
+    }
     return roomy(box, std::clamp(covered, parts_->live ? kReach : 0.0, kMostCovered));
 }
 
@@ -259,7 +262,7 @@ void SceneView::updateOverlay(quint64 number) {
             at = parts.composed.scene.gizmo->p_m.cast<double>();
     } else {
         if (!parts.live)
-            content.legends = takeLegends(review_.take(), parts.composed, parts.layers);
+            content.legends = takeLegends(review_.take(), parts.composed, parts.layers, parts.beside_other);
         content.has_rays = !parts.composed.scene.rays.empty();
         content.callout = callout();
         if (!parts.composed.scene.rings.empty())
@@ -277,7 +280,8 @@ void SceneView::updateOverlay(quint64 number) {
         if (const auto from = place(distance->middle_m),
             floor = place(distance->middle_m.cwiseProduct(Vector3d(1, 0, 1)));
             from && floor)
-            content.distance = SceneDistance{*from, *floor, distanceInWords(*distance)};
+            content.distance =
+                SceneDistance{*from, *floor, distanceInWords(*distance), pairOfDistance(*distance)};
     const auto on_screen = at ? place(*at) : std::nullopt;
     if (content.callout && on_screen)
         content.callout->at = *on_screen;

@@ -45,6 +45,8 @@ public:
 
     /// Which motion of the take; kShown at first.
     void setSubject(SceneSubject subject);
+    /// Another view of the take stands beside this one: it always says which result it shows.
+    void setBesideOther(bool beside);
 
     /// Shows this performer in the rest pose, dressed, instead of the take.
     void setFigure(const Actor& actor, const Suit& suit);

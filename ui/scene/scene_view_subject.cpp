@@ -21,7 +21,9 @@ const Suit* SceneView::shownSuit() const {
 
 std::optional<SceneCallout> SceneView::callout() const {
     const Suit* suit = shownSuit();
-    const bool has_ranges = parts_->live || review_.take().ranges();
+    // Pairs are composed with the shown result only.
+    const bool has_ranges =
+        parts_->live || (parts_->composed.subject == SceneSubject::kShown && review_.take().ranges());
     return suit ? partCallout(*suit, review_.selection(), parts_->composed, has_ranges) : std::nullopt;
 }
 
@@ -40,6 +42,11 @@ void SceneView::setFigure(const Actor& actor, const Suit& suit) {
 
 void SceneView::setSubject(SceneSubject subject) {
     parts_->take.setSubject(subject);
+    refresh();
+}
+
+void SceneView::setBesideOther(bool beside) {
+    parts_->beside_other = beside;
     refresh();
 }
 

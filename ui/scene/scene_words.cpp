@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "ui/models/part_names.h"
+#include "ui/style/performer_disc.h"
 #include "ui/style/words.h"
 
 namespace noctule::ui {
@@ -33,6 +34,8 @@ QString pairLine(const ComposedScene& composed, int source, int board) {
     const auto heard = std::find_if(composed.pairs.begin(), composed.pairs.end(), [&](const HeardPair& pair) {
         return pair.source == source && pair.board == board;
     });
+    if (std::ranges::count(composed.quiet_sources, source) > 0)
+        return SceneWords::tr("No pulse from source %1 at this time").arg(source + 1);
     if (heard == composed.pairs.end())
         return SceneWords::tr("Not heard from source %1").arg(source + 1);
     return SceneWords::tr("Source %1, confidence %2").arg(source + 1).arg(numberText(heard->confidence, 2));
@@ -45,14 +48,15 @@ QString withChosen(const QString& words, const std::optional<SceneCallout>& call
 }  // namespace
 
 std::vector<SceneLegend> takeLegends(TakeDocument& take, const ComposedScene& composed,
-                                     const SceneLayers& layers) {
+                                     const SceneLayers& layers, bool beside_other) {
     const bool is_reference = take.comparedRun() == TakeDocument::kReference;
     const auto result = [](int run) { return SceneWords::tr("Result %1").arg(TakeDocument::numberOf(run)); };
     const QString compared = is_reference ? SceneWords::tr("Reference") : result(take.comparedRun());
     if (composed.subject == SceneSubject::kCompared)
         return {{compared, false}};
     if (!composed.has_ghost || !layers.has(SceneLayer::kGhost))
-        return {};
+        return beside_other ? std::vector<SceneLegend>{{result(take.shownRun()), false}}
+                            : std::vector<SceneLegend>{};
     return {{result(take.shownRun()), false}, {compared, true}};
 }
 
@@ -135,10 +139,14 @@ QString whyEmpty(ReviewContext& review) {
 QString distanceInWords(const ComposedScene::Distance& distance) {
     const bool near = distance.distance_m < 1;
     const QString words = near ? millimetresText(distance.distance_m, 0) : metresText(distance.distance_m);
-    if (!distance.sigma_m)
-        return words;
-    return words + QStringLiteral(" ±") +
-           numberText(near ? 1000 * *distance.sigma_m : *distance.sigma_m, near ? 0 : 2);
+    const double sigma = distance.sigma_m.value_or(0) * (near ? 1000 : 1), least = near ? 0.5 : 0.005;
+    return sigma < least ? words : words + QStringLiteral(" ±") + numberText(sigma, near ? 0 : 2);
+}
+
+QString pairOfDistance(const ComposedScene::Distance& distance) {
+    return SceneWords::tr("%1 of %2 to %3 of %4", "joints of two performers")
+        .arg(jointName(distance.joint, NameCase::kInside), performerLetter(distance.one),
+             jointName(distance.other_joint, NameCase::kInside), performerLetter(distance.other));
 }
 
 }  // namespace noctule::ui

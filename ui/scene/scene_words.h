@@ -12,9 +12,9 @@
 
 namespace noctule::ui {
 
-/// "Result 2", and of what it is compared with.
+/// "Result 2", and of what it is compared with. Beside another view a view always says which one it is.
 std::vector<SceneLegend> takeLegends(TakeDocument& take, const ComposedScene& composed,
-                                     const SceneLayers& layers);
+                                     const SceneLayers& layers, bool beside_other = false);
 /// "Left shin, board 14" and the chosen pair's confidence; nothing when no board or source is chosen.
 std::optional<SceneCallout> partCallout(const Suit& suit, const Selection& selection,
                                         const ComposedScene& composed, bool has_ranges);
@@ -29,7 +29,9 @@ QString figureDescription(const FigureScene& figure);
 QString whyEmpty(ReviewContext& review);
 QString whyEmpty(const LiveScene& live);
 
-/// "46 mm ±5"; from a metre on "1.27 m ±0.01". The error is one sigma.
+/// "46 mm ±5"; from a metre on "1.27 m ±0.01". The error is one sigma, left out where it rounds to zero.
 QString distanceInWords(const ComposedScene::Distance& distance);
+/// "right wrist of A to left wrist of B"
+QString pairOfDistance(const ComposedScene::Distance& distance);
 
 }  // namespace noctule::ui

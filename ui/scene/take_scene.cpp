@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/processing/standing_feet.h"
+#include "core/review/plot_series.h"
 
 namespace noctule::ui {
 
@@ -93,9 +94,11 @@ void TakeScene::addPairs(ComposedScene& composed, double t_s) {
     composed.pair_count = sources * boards;
     for (int source = 0; source < sources; ++source)
         for (int board = 0; board < boards; ++board) {
-            const PairTrack& track = ranges->pair(source, board);
-            if (const auto confidence = confidenceAt({track.t_s, track.confidence}, t_s))
-                composed.pairs.push_back({source, board, *confidence});
+            const PairNow now = pairAt(*ranges, source, board, t_s);
+            if (now.confidence)
+                composed.pairs.push_back({source, board, *now.confidence});
+            if (!now.has_pulse && board == 0)
+                composed.quiet_sources.push_back(source);
         }
 }
 
@@ -154,26 +157,25 @@ void TakeScene::addCompared(ComposedScene& composed, const SceneColors& colors, 
 
 void TakeScene::addDistance(ComposedScene& composed, int other, const Skeleton& skeleton,
                             const BodyPlaces& places, double t_s) {
-    const bool other_is_later = other > review_.take().subject();
-    const Skeleton& shown = shown_.motion->skeleton;
-    const auto tracks = review_.take().betweenTracks(std::min(other, review_.take().subject()),
-                                                     std::max(other, review_.take().subject()));
-    for (const auto& [one, two] : kComparedEnds) {
-        const int of_shown = shown.find(other_is_later ? one : two),
-                  of_other = skeleton.find(other_is_later ? two : one);
-        if (std::string_view(one) == "Hips" || of_shown < 0 || of_other < 0)
-            continue;
-        const Vector3d here = composed.places.joints.p_world_joint[static_cast<size_t>(of_shown)],
-                       there = places.joints.p_world_joint[static_cast<size_t>(of_other)];
-        const double distance_m = (there - here).norm();
-        if (composed.distance && composed.distance->distance_m <= distance_m)
-            continue;
-        composed.distance = ComposedScene::Distance{0.5 * (here + there), distance_m, {}};
-        if (tracks)
-            for (const BetweenTrack& track : *tracks)
-                if (track.joint == one && track.other_joint == two)
-                    composed.distance->sigma_m = sigmaAt(track.distance, t_s);
-    }
+    const int subject = review_.take().subject(), earlier = std::min(other, subject),
+              later = std::max(other, subject);
+    const auto tracks = review_.take().betweenTracks(earlier, later);
+    const BetweenTrack* track = tracks ? nearestHands(*tracks) : nullptr;
+    if (!track)
+        return;
+    const bool other_is_later = other == later;
+    const int of_shown = shown_.motion->skeleton.find(other_is_later ? track->joint : track->other_joint),
+              of_other = skeleton.find(other_is_later ? track->other_joint : track->joint);
+    if (of_shown < 0 || of_other < 0)
+        return;
+    const Vector3d here = composed.places.joints.p_world_joint[static_cast<size_t>(of_shown)],
+                   there = places.joints.p_world_joint[static_cast<size_t>(of_other)];
+    const double distance_m = (there - here).norm();
+    if (composed.distance && composed.distance->distance_m <= distance_m)
+        return;
+    composed.distance = ComposedScene::Distance{
+        0.5 * (here + there), distance_m,        sigmaAt(track->distance, t_s), earlier, later,
+        track->joint,         track->other_joint};
 }
 
 void TakeScene::addOthers(ComposedScene& composed, const SceneLayers& layers, const SceneColors& colors,

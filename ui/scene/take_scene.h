@@ -18,6 +18,7 @@ struct ComposedScene {
     Scene scene;
     BodyPlaces places;  ///< empty: no body at this time
     std::vector<HeardPair> pairs;
+    std::vector<int> quiet_sources{};  ///< no pulse of them just now, or not yet
     int pair_count = 0;
     bool has_ghost = false;
     /// Over the head of every person, where there are several.
@@ -27,11 +28,13 @@ struct ComposedScene {
     };
     std::vector<Tag> tags{};
     Eigen::AlignedBox3d others;  ///< the bodies of the other people; empty: nobody else
-    /// Of the two hands, or wrists, that are nearest to each other just now.
+    /// Of the two hands, or wrists, that the plot shows: of all pairs they come nearest in the take.
     struct Distance {
         Vector3d middle_m;
         double distance_m = 0;
         std::optional<double> sigma_m;
+        int one = 0, other = 1;  ///< performers
+        std::string joint, other_joint;
     };
     std::optional<Distance> distance{};
     SceneSubject subject = SceneSubject::kShown;

@@ -86,17 +86,5 @@ TEST_F(BodyScene, BonesJoinTheJoints) {
     EXPECT_TRUE(BodyPlaces{}.box().isEmpty());
 }
 
-TEST(PairHistory, GivesTheLastConfidenceUnlessItIsOld) {
-    const std::vector<double> t_s{1.0, 1.064, 1.128};
-    const std::vector<float> confidence{0.1F, 0.2F, 0.3F};
-    const PairHistory history{t_s, confidence};
-    EXPECT_FALSE(confidenceAt(history, 0.99));
-    EXPECT_EQ(confidenceAt(history, 1.0), 0.1F);
-    EXPECT_EQ(confidenceAt(history, 1.1), 0.2F);
-    EXPECT_EQ(confidenceAt(history, 1.2), 0.3F);
-    EXPECT_FALSE(confidenceAt(history, 1.3));
-    EXPECT_FALSE(confidenceAt({}, 1));
-}
-
 }  // namespace
 }  // namespace noctule

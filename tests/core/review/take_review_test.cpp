@@ -226,6 +226,22 @@ TEST_F(TakeReview, CurvesOfAPairCountWhatWasNotHeard) {
     EXPECT_EQ(rangeSeries(*table, 0, 1, RangeQuantity::kConfidence).value[0], 0);
 }
 
+TEST_F(TakeReview, APairNowIsWhatItsCurveShowsThere) {
+    const auto table = loadRanges(path(), rangeRun(), {});
+    ASSERT_TRUE(table);
+    const Series curve = rangeSeries(*table, 0, 0, RangeQuantity::kConfidence);
+    for (size_t i = 0; i < curve.t_s.size(); ++i)
+        for (const double later_s : {0.0, 0.4 * kInterval_s}) {
+            const PairNow now = pairAt(*table, 0, 0, curve.t_s[i] + later_s);
+            ASSERT_TRUE(now.has_pulse);
+            EXPECT_EQ(now.confidence.value_or(0), curve.value[i]) << "pulse " << i;
+            EXPECT_EQ(now.confidence.has_value(), i % 5 != 4);
+        }
+    EXPECT_FALSE(pairAt(*table, 0, 0, curve.t_s.front() - 1e-6).has_pulse);
+    EXPECT_TRUE(pairAt(*table, 0, 0, curve.t_s.back() + 0.9 * kPairHold_s).has_pulse);
+    EXPECT_FALSE(pairAt(*table, 0, 0, curve.t_s.back() + 1.1 * kPairHold_s).has_pulse);
+}
+
 /// 1 s of made sound at 15 kHz in blocks of 1000 samples: value = sample on board 0, minus that on board 1.
 class SoundReview : public test::MadeTake {
 protected:

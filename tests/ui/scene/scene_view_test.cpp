@@ -10,6 +10,7 @@
 #include "tests/ui/scene/scene_fixture.h"
 #include "ui/scene/scene_overlay.h"
 #include "ui/scene/scene_tools.h"
+#include "ui/scene/scene_words.h"
 #include "ui/widgets/empty_state.h"
 
 namespace noctule::ui {
@@ -236,6 +237,84 @@ TEST(SceneOverlayTest, InANarrowViewWordsStandBelowTheBody) {
             (y < 416 ? above : below) += qAlpha(image.pixel(x, y)) > 0;
     EXPECT_EQ(above, 0) << "here the body stands";
     EXPECT_GT(below, 100);
+}
+
+OverlayContent twoPeople() {
+    OverlayContent content;
+    content.has_axes = false;
+    content.legends = {{"Result 1", false}, {"Result 2", true}};
+    content.callout = SceneCallout{{300, 300}, "Pelvis, board 1", "Not heard from source 1"};
+    content.distance = SceneDistance{{360, 250}, {360, 300}, "1.50 m", "right wrist of A to left wrist of B"};
+    return content;
+}
+
+int painted(const OverlayContent& content, const QSize& size) {
+    QImage image(size, QImage::Format_ARGB32_Premultiplied);
+    image.fill(Qt::transparent);
+    QPainter painter(&image);
+    SceneOverlay::paint(painter, QRectF(image.rect()), content);
+    painter.end();
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            count += qAlpha(image.pixel(x, y)) > 0;
+    return count;
+}
+
+TEST(SceneOverlayTest, TheDistanceStandsClearOfTheCallout) {
+    Theme::install(*qApp);
+    Theme::get().setScale(1);
+    const QRectF area(0, 0, 700, 500);
+    OverlayContent content = twoPeople();
+    const auto clear = SceneOverlay::distanceBox(area, content);
+    content.callout.reset();
+    const auto at_rest = SceneOverlay::distanceBox(area, content);
+    ASSERT_TRUE(clear && at_rest);
+    EXPECT_NE(*clear, *at_rest) << "where it would stand the callout is";
+    EXPECT_TRUE(area.contains(*clear));
+    EXPECT_FALSE(clear->contains(content.distance->from));
+}
+
+TEST(SceneOverlayTest, InANarrowViewTheDistanceIsALineBelowTheBody) {
+    Theme::install(*qApp);
+    Theme::get().setScale(1);
+    OverlayContent content = twoPeople();
+    EXPECT_FALSE(SceneOverlay::distanceBox(QRectF(0, 0, 356, 260), content));
+    const int with = painted(content, {356, 260});
+    content.distance->text.clear();
+    content.distance->pair.clear();
+    EXPECT_GT(with, painted(content, {356, 260}) + 50);
+}
+
+TEST(SceneOverlayTest, AHalfOfTwoResultsSaysWhichOneItIs) {
+    Theme::install(*qApp);
+    Theme::get().setScale(1);
+    OverlayContent content;
+    content.has_axes = false;
+    content.legends = {{"Result 1", false}};
+    EXPECT_GT(painted(content, {200, 295}), 50) << "as wide as a half is at 1280 by 800";
+}
+
+TEST_F(SceneViewTest, BesideAnotherViewItSaysWhichResultItShows) {
+    openTake();
+    const auto* overlay = view_->findChild<SceneOverlay*>();
+    EXPECT_TRUE(overlay->content().legends.empty());
+    view_->setBesideOther(true);
+    settle();
+    ASSERT_EQ(overlay->content().legends.size(), 1u);
+    EXPECT_EQ(overlay->content().legends.front().text, "Result 1");
+}
+
+TEST(SceneWordsTest, AnErrorThatRoundsToZeroIsLeftOut) {
+    ComposedScene::Distance distance;
+    distance.distance_m = 1.5;
+    distance.sigma_m = 0.001;
+    EXPECT_EQ(distanceInWords(distance), QString::fromUtf8("1.50\u00A0m"));
+    distance.sigma_m = 0.01;
+    EXPECT_EQ(distanceInWords(distance), QString::fromUtf8("1.50\u00A0m ±0.01"));
+    distance.distance_m = 0.046;
+    distance.sigma_m = 0.0004;
+    EXPECT_FALSE(distanceInWords(distance).contains(QString::fromUtf8("±")));
 }
 
 class SceneFigure : public SceneViewTest {

@@ -10,6 +10,7 @@
 #include "ui/plots/heard_switch.h"
 #include "ui/plots/plot_panel.h"
 #include "ui/scene/scene_view.h"
+#include "ui/scene/scene_words.h"
 #include "ui/scene/take_scene.h"
 #include "ui/style/words.h"
 #include "ui/views/export/export_form.h"
@@ -144,6 +145,13 @@ TEST_F(TwoPeopleTest, BothBodiesStandInThePictureWithTheirLetters) {
     EXPECT_LT(std::abs(composed.distance->middle_m.z()), 0.6) << "between them";
     ASSERT_TRUE(waitFor([&] { return scene.compose(layers).distance->sigma_m.has_value(); }));
     EXPECT_LT(*scene.compose(layers).distance->sigma_m, 0.1);
+    const auto tracks = studio_->take().betweenTracks(0, 1);
+    const BetweenTrack* plotted = nearestHands(*tracks);
+    ASSERT_TRUE(plotted);
+    const SeriesPyramid& curve = plotted->distance.value;
+    EXPECT_NEAR(composed.distance->distance_m, double{curve.series().value[curve.indexAt(2)]}, 0.02)
+        << "the pair of the plot";
+    EXPECT_TRUE(pairOfDistance(*composed.distance).contains("of A to "));
 }
 
 TEST_F(TwoPeopleTest, DistancesAreAPlotAndAPartOfTheReport) {

@@ -63,6 +63,7 @@ void SceneArea::refresh() {
     if (isSideBySide() && !canCompare())
         compared_->hide();
     split_->setChecked(isSideBySide());
+    shown_->setBesideOther(isSideBySide());
     split_->setDisabledBecause(canCompare() ? QString()
                                             : tr("Choose a second result or the reference to compare with."));
     placeTool();
