@@ -72,8 +72,18 @@ private:
             pen.setDashPattern({2, 3});
             painter.setPen(pen);
             const int x = qRound(xOf(marker.t_s));
-            painter.drawLine(x, 0, x, height());
+            for (const QRect& rows : plottedRows())
+                painter.drawLine(x, rows.top(), x, rows.bottom());
         }
+    }
+
+    /// Of every lane that has a curve the rows below its title: lines run through no words.
+    std::vector<QRect> plottedRows() const {
+        std::vector<QRect> rows;
+        for (const PlotLane* lane : stack_.lanes())
+            if (!lane->content().curves.empty())
+                rows.push_back(lane->geometry().adjusted(0, Theme::get().px(PlotLane::kTitleRow), 0, 0));
+        return rows;
     }
 
     void paintCursor(QPainter& painter) const {
@@ -82,7 +92,8 @@ private:
         if (!shows(t_s) || !review_.take().isOpen())
             return;
         const Tokens& tokens = Theme::get().tokens();
-        painter.fillRect(QRect(x_px, 0, Theme::get().px(1), height()), tokens.t1);
+        for (const QRect& rows : plottedRows())
+            painter.fillRect(QRect(x_px, rows.top(), Theme::get().px(1), rows.height()), tokens.t1);
         painter.setRenderHint(QPainter::Antialiasing);
         const double radius = Theme::get().px(kDot);
         for (const PlotLane* lane : stack_.lanes())
@@ -157,7 +168,14 @@ std::pair<int, int> LaneStack::timeExtent() const {
 QSize LaneStack::minimumSizeHint() const {
     const Theme& theme = Theme::get();
     const int count = static_cast<int>(lanes_.size());
-    return {theme.px(PlotPanel::kLeftExtent + 160), count * theme.px(PlotLane::kLeastHeight)};
+    return {theme.px(PlotPanel::kLeftExtent + 160), count * leastLaneHeight()};
+}
+
+/// As many whole lanes as fit share what is seen: none is cut in its title.
+int LaneStack::leastLaneHeight() const {
+    const int least = Theme::get().px(PlotLane::kLeastHeight);
+    const int seen = parentWidget() ? parentWidget()->height() : 0, fitting = std::max(1, seen / least);
+    return std::max(least, (seen + fitting - 1) / fitting);
 }
 
 void LaneStack::place() {

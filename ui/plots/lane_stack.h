@@ -44,6 +44,7 @@ protected:
 private:
     class Overlay;
     enum class Drag { kNone, kTime, kPan };
+    int leastLaneHeight() const;
     void place();
     void redraw();
     void moveCursor();

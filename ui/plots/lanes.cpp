@@ -19,6 +19,8 @@ QString laneWords(const char* text) {
 QString missingWords(TakeDocument& take, const QString& otherwise) {
     if (take.isLoading())
         return laneWords(QT_TRANSLATE_NOOP("Lanes", "Reading the take"));
+    if (take.shownRun() < 0 && take.processing())
+        return laneWords(QT_TRANSLATE_NOOP("Lanes", "Processing…"));
     if (take.shownRun() < 0)
         return laneWords(QT_TRANSLATE_NOOP("Lanes", "Process the take to see its curves"));
     return take.problem().isEmpty() ? otherwise : take.problem();

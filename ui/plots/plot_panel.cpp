@@ -63,8 +63,9 @@ PlotPanel::PlotPanel(ReviewContext& review, QWidget* parent)
     connect(&take, &TakeDocument::opened, this, &PlotPanel::chooseSomething);
     connect(&take, &TakeDocument::opened, this, &PlotPanel::fitTabs);
     for (const auto signal :
-         {&TakeDocument::opened, &TakeDocument::runsChanged, &TakeDocument::motionChanged,
-          &TakeDocument::rangesChanged, &TakeDocument::readingsChanged, &TakeDocument::curvesChanged})
+         {&TakeDocument::opened, &TakeDocument::runsChanged, &TakeDocument::processingChanged,
+          &TakeDocument::motionChanged, &TakeDocument::rangesChanged, &TakeDocument::readingsChanged,
+          &TakeDocument::curvesChanged})
         connect(&take, signal, this, [this] { rebuild_.ask(); });
     connect(&channels_, &PlotChannels::changed, this, [this] {
         styleTabs();

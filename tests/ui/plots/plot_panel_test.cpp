@@ -88,6 +88,36 @@ TEST_F(PlotPanelTest, ShowsConfidenceOfTheChosenPair) {
     EXPECT_NE(panel_->lanes()[0]->content().curves[1].pen, LanePen::kFirst);
 }
 
+TEST_F(PlotPanelTest, NoLaneIsCutInItsTitle) {
+    openPair();
+    onlyTab(PlotTab::kJointAngles);
+    panel_->setOn(PlotTab::kRoot, true);
+    panel_->setOn(PlotTab::kRanges, true);
+    ASSERT_TRUE(waitFor([this] { return panel_->lanes().size() > 6; }));
+    for (const int height : {300, 331, 360, 401}) {
+        panel_->resize(700, height);
+        QTest::qWait(30);
+        const int seen = stack().parentWidget()->height();
+        for (const PlotLane* lane : panel_->lanes())
+            EXPECT_TRUE(lane->y() >= seen || lane->geometry().bottom() < seen)
+                << "a lane from " << lane->y() << " to " << lane->geometry().bottom() << " of " << seen;
+    }
+}
+
+TEST_F(PlotPanelTest, TheCursorRunsThroughNoTitle) {
+    openPair();
+    onlyTab(PlotTab::kConfidence);
+    ASSERT_TRUE(waitForCurves(1, 1));
+    studio_->time().setTime(1);
+    QTest::qWait(60);
+    const QImage shown = stack().grab().toImage();
+    const int x = at(1).x(), title = Theme::get().px(PlotLane::kTitleRow);
+    const auto is_cursor = [&](int y) { return shown.pixelColor(x, y) == Theme::get().tokens().t1; };
+    for (int y = 0; y < title; ++y)
+        EXPECT_FALSE(is_cursor(y)) << y;
+    EXPECT_TRUE(is_cursor(stack().height() - 2));
+}
+
 TEST_F(PlotPanelTest, RangesCarryTheirDecisions) {
     openPair();
     onlyTab(PlotTab::kRanges);
