@@ -133,7 +133,6 @@ void TopBar::showRecording(std::optional<double> seconds) {
     record_->setAccessibleName(seconds ? tr("Recording, %1").arg(timeText(*seconds, 0)) : tr("Record"));
     if (!changes)
         return;
-    record_->setShortcutHint(records_ ? QKeySequence() : QKeySequence("Ctrl+R"));
     record_->setToolTip((records_ ? tr("A take is being recorded. Opens Record; %1 stops it.", "a key")
                                   : tr("Opens Record (%1)", "a key"))
                             .arg(keysText(QKeySequence("Ctrl+R"))));
@@ -151,7 +150,7 @@ void TopBar::showSuit(Tone tone, const QString& state, const QString& name) {
     if (suit_->text() == words && suit_->tone() == tone && box_->text() == name)
         return;
     suit_->setState(tone, words, tone == Tone::kNeutral ? "board" : QString());
-    suit_->setToolTip(connected ? tr("Boards that are there. Opens Connect.")
+    suit_->setToolTip(connected ? state + QLatin1Char('\n') + tr("Boards that are there. Opens Connect.")
                                 : tr("No suit is connected. Opens Connect."));
     box_->setState(Tone::kNeutral, name, "link");
     steps_->setState(indexOf(Step::kConnect), !connected          ? StepBar::State::kOpen
@@ -167,9 +166,18 @@ void TopBar::foldWhereNarrow() {
     const bool fold = narrow && !steps_->isHidden();
     menus_->setVisible(!fold);
     folded_->setVisible(fold);
+    const bool has_steps = !steps_->isHidden();
+    record_->setShortcutHint(records_ ? QKeySequence() : QKeySequence("Ctrl+R"));
+    suit_->setBrief(false);
     const int sides = 2 * (record_->sizeHint().width() + suit_->sizeHint().width() + Theme::get().px(36));
-    const bool room = !steps_->isHidden() && width() > steps_->sizeHint().width() + sides;
-    suit_->setVisible(room);
+    const bool room = has_steps && width() > steps_->sizeHint().width() + sides;
+    suit_->setVisible(has_steps);
+    suit_->setBrief(!room);
+    // A suit's trouble must be seen: the keys of Record give way to it.
+    const int all = folded_->sizeHint().width() + steps_->sizeHint().width() + record_->sizeHint().width() +
+                    suit_->sizeHint().width() + Theme::get().px(kMark + 40);
+    if (has_steps && all > width())
+        record_->setShortcutHint({});
     const int box = 2 * (box_->sizeHint().width() + Theme::get().px(8));
     box_->setVisible(room && !box_->text().isEmpty() && width() > steps_->sizeHint().width() + sides + box);
 }
@@ -179,9 +187,9 @@ QSize TopBar::sizeHint() const {
 }
 
 QSize TopBar::minimumSizeHint() const {
-    const int sides =
-        2 * std::max(folded_->sizeHint().width() + Theme::get().px(60), right_->minimumSizeHint().width());
-    return {steps_->isHidden() ? sides : sides + steps_->minimumSizeHint().width(),
+    const int left = folded_->sizeHint().width() + Theme::get().px(kMark),
+              right = right_->minimumSizeHint().width();
+    return {steps_->isHidden() ? 2 * std::max(left, right) : left + steps_->minimumSizeHint().width() + right,
             Theme::get().px(kTopBarHeight)};
 }
 

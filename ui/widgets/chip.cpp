@@ -30,11 +30,19 @@ void Chip::setInteractive(bool interactive) {
     setAttribute(Qt::WA_TransparentForMouseEvents, !interactive);
 }
 
+void Chip::setBrief(bool brief) {
+    if (brief == brief_)
+        return;
+    brief_ = brief;
+    updateGeometry();
+    update();
+}
+
 QSize Chip::sizeHint() const {
     const Theme& theme = Theme::get();
     const QFontMetrics metrics(theme.font(TextRole::kSecondary, true));
-    return {metrics.horizontalAdvance(text()) + theme.px(10 + 14 + 6 + 10),
-            std::max(theme.px(28), metrics.height() + theme.px(6))};
+    const int words = brief_ ? 0 : theme.px(6) + metrics.horizontalAdvance(text());
+    return {words + theme.px(10 + 14 + 10), std::max(theme.px(28), metrics.height() + theme.px(6))};
 }
 
 void Chip::paintEvent(QPaintEvent*) {
@@ -49,6 +57,8 @@ void Chip::paintEvent(QPaintEvent*) {
     paintBox(painter, box, box.height() / 2.0, fill);
     const QColor color = tone_ == Tone::kNeutral ? theme.tokens().t1 : colorOf(tone_);
     paintIcon(painter, QRect(theme.px(10), 0, theme.px(14), height()), icon_name_, theme.px(14), color);
+    if (brief_)
+        return;
     painter.setFont(theme.font(TextRole::kSecondary, true));
     painter.setPen(color);
     painter.drawText(rect().adjusted(theme.px(30), 0, 0, 0), Qt::AlignVCenter, text());

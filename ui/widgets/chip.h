@@ -18,6 +18,8 @@ public:
     void setState(Tone tone, const QString& text, const QString& icon_name = {});
     Tone tone() const { return tone_; }
     void setInteractive(bool interactive);
+    /// The icon alone; the words stay for screen readers.
+    void setBrief(bool brief);
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
@@ -30,7 +32,7 @@ protected:
 private:
     Tone tone_;
     QString icon_name_;
-    bool interactive_ = true;
+    bool interactive_ = true, brief_ = false;
 };
 
 }  // namespace noctule::ui

@@ -6,11 +6,17 @@
 #include "tests/ui/main_window/clipping_fixture.h"
 #include "ui/main_window/jobs_panel.h"
 #include "ui/main_window/preferences_dialog.h"
+#include "ui/main_window/top_bar.h"
+#include "ui/plots/transport_bar.h"
 #include "ui/views/connect/board_card.h"
 #include "ui/views/connect/connect_page.h"
 #include "ui/views/connect/readiness_panel.h"
+#include "ui/views/export/export_form.h"
+#include "ui/views/export/export_take_list.h"
 #include "ui/views/record/record_bar.h"
 #include "ui/widgets/button.h"
+#include "ui/widgets/chip.h"
+#include "ui/widgets/step_bar.h"
 
 namespace noctule::ui {
 namespace {
@@ -41,6 +47,33 @@ TEST_P(TextSizeTest, AnOpenPageIsWholeAtEverySize) {
                                       .arg(scale));
         }
     }
+}
+
+TEST_P(TextSizeTest, ASmallScreenWithLargeTextKeepsWhatMustBeSeen) {
+    openSampleTake();
+    ASSERT_TRUE(waitFor([this] { return studio_->jobs().idle(); }));
+    window_->resize(1280, 800);
+    Theme::get().setScale(1.5);
+    for (const Step step : {Step::kConnect, Step::kReview, Step::kExport}) {
+        window_->goTo(step);
+        QTest::qWait(60);
+        TopBar& bar = window_->topBar();
+        const Chip* suit = bar.findChildren<Chip*>().front();
+        ASSERT_TRUE(suit->isVisible()) << "a broken link must be seen";
+        const QRect chip(suit->mapTo(&bar, QPoint()), suit->size());
+        const QRect steps(bar.steps().mapTo(&bar, QPoint()), bar.steps().size());
+        EXPECT_TRUE(bar.rect().contains(chip));
+        EXPECT_FALSE(chip.intersects(steps));
+    }
+    window_->goTo(Step::kReview);
+    QTest::qWait(60);
+    const auto* transport = window_->findChild<TransportBar*>();
+    EXPECT_EQ(transport->visibleRegion().boundingRect(), transport->rect());
+    window_->goTo(Step::kExport);
+    QTest::qWait(60);
+    const auto* form = window_->findChild<ExportForm*>();
+    const auto* takes = window_->findChild<ExportTakeList*>();
+    EXPECT_GT(form->parentWidget()->height(), 2 * takes->height()) << "the settings have the room";
 }
 
 TEST_P(TextSizeTest, PreferencesFollowTheirOwnChange) {

@@ -17,6 +17,7 @@
 #include "ui/views/export/export_form.h"
 #include "ui/views/export/export_preset_list.h"
 #include "ui/views/export/export_results_panel.h"
+#include "ui/views/export/export_take_list.h"
 #include "ui/views/job_progress.h"
 #include "ui/views/open_take.h"
 #include "ui/views/scaled_layout.h"
@@ -30,7 +31,7 @@ namespace noctule::ui {
 
 namespace {
 constexpr int kForm = 372, kBothSides = 780, kTakes = 640;
-constexpr int kMostNames = 3;
+constexpr int kMostNames = 3, kTakeRows = 6, kTakeRowsBelow = 2;
 }  // namespace
 
 ExportPage::ExportPage(ReviewContext& review, QWidget* parent)
@@ -327,7 +328,7 @@ void ExportPage::removeOwnPreset(const QString& key) {
     preset_list_->choose(presets_.all().front().key);
 }
 
-/// Without room for both sides the takes and the written files stand below the form.
+/// Without room for both sides the takes and the written files stand below the form, which gets the room.
 void ExportPage::resizeEvent(QResizeEvent* event) {
     placeSides();
     Page::resizeEvent(event);
@@ -336,7 +337,10 @@ void ExportPage::resizeEvent(QResizeEvent* event) {
 void ExportPage::placeSides() {
     const bool beside = width() >= Theme::get().px(kBothSides);
     sides_->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    sides_->setStretch(0, beside ? 0 : 1);
+    sides_->setStretch(2, beside ? 1 : 0);
     between_->setVisible(beside);
+    form_->takeList().setMostRows(beside ? kTakeRows : kTakeRowsBelow);
 }
 
 void ExportPage::keyPressEvent(QKeyEvent* event) {

@@ -14,7 +14,7 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kTakeName = Qt::UserRole, kRowHeight = 28, kFewestRows = 2, kMostRows = 6, kResults = 280;
+constexpr int kTakeName = Qt::UserRole, kRowHeight = 28, kFewestRows = 2, kResults = 280;
 
 }  // namespace
 
@@ -77,10 +77,19 @@ void ExportTakeList::readTakes() {
             for (const SessionTake& take : review_.shared().session().session().takes)
                 addTake(take, names.contains(QString::fromStdString(take.name)));
         setColumnWidth(1, Theme::get().px(kResults));
-        const int rows = std::clamp(topLevelItemCount(), kFewestRows, kMostRows);
-        setFixedHeight(rows * Theme::get().px(kRowHeight) + 2 * frameWidth());
+        fitHeight();
     }
     emit changed();
+}
+
+void ExportTakeList::fitHeight() {
+    const int rows = std::clamp(topLevelItemCount(), kFewestRows, std::max(kFewestRows, most_rows_));
+    setFixedHeight(rows * Theme::get().px(kRowHeight) + 2 * frameWidth());
+}
+
+void ExportTakeList::setMostRows(int rows) {
+    most_rows_ = rows;
+    fitHeight();
 }
 
 void ExportTakeList::addTake(const SessionTake& take, bool is_ticked) {

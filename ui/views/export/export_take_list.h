@@ -22,6 +22,8 @@ public:
     /// Names of the takes that are ticked, in the order of the session.
     QStringList ticked() const;
     void tick(const QStringList& names);
+    /// How many rows are seen at once, at most; the others are scrolled to.
+    void setMostRows(int rows);
     /// Whether every take shows its results, to choose one of them when `choosable`; a job reads those of
     /// takes that were written since.
     void setResultsShown(bool shown, bool choosable);
@@ -46,12 +48,14 @@ private:
                                              const ResultsOfTakes& known, const JobContext& job);
     void readTakes();
     void readResults();
+    void fitHeight();
     void addTake(const SessionTake& take, bool is_ticked);
     void addResults(QTreeWidgetItem* item);
     void followRename(const QString& old_path, const QString& new_path);
 
     ReviewContext& review_;
     bool results_shown_ = false, choosable_ = false;
+    int most_rows_ = 6;
     int ticket_ = 0;                 ///< what an earlier reading found is dropped
     ResultsOfTakes results_;         ///< by take
     QMap<QString, QString> chosen_;  ///< by take

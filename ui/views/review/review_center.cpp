@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/review/review_center.h"
 
+#include <QScrollBar>
 #include <QSplitter>
 
 #include "ui/plots/heat_map.h"
@@ -38,12 +39,6 @@ ReviewCenter::ReviewCenter(ReviewContext& review, QWidget* parent)
     above_->addWidget(heat_map_);
     above_->setStretchFactor(0, 1);
     above_->setCollapsible(0, false);
-    auto* below = new QWidget;
-    auto* column = makeColumn(below);
-    column->addWidget(plots_, 1);
-    column->addWidget(timeline_);
-    column->addWidget(new Divider);
-    column->addWidget(transport_);
     auto* top = new QWidget;
     auto* top_column = makeColumn(top);
     top_column->addWidget(performers_);
@@ -51,13 +46,25 @@ ReviewCenter::ReviewCenter(ReviewContext& review, QWidget* parent)
     top_column->addWidget(above_, 1);
     keepMinimumHeight(*above_, kLeastAbove);
     whole_->addWidget(top);
-    whole_->addWidget(below);
+    whole_->addWidget(plots_);
     for (QSplitter* splitter : {above_, whole_}) {
         splitter->setHandleWidth(1);
         connect(splitter, &QSplitter::splitterMoved, this, &ReviewCenter::keepSplitters);
     }
     whole_->setCollapsible(1, false);
-    makeColumn(this)->addWidget(new ScrollArea(whole_));
+    auto* scroll = new ScrollArea(whole_);
+    auto* column = makeColumn(this);
+    column->addWidget(scroll, 1);
+    auto* timeline = addRow(column, 0);
+    timeline->addWidget(timeline_);
+    column->addWidget(new Divider);
+    column->addWidget(transport_);
+    const auto align = [scroll, timeline] {  // one axis of time with the plots
+        const QScrollBar& bar = *scroll->verticalScrollBar();
+        timeline->setContentsMargins(0, 0, bar.maximum() > bar.minimum() ? bar.sizeHint().width() : 0, 0);
+    };
+    connect(scroll->verticalScrollBar(), &QScrollBar::rangeChanged, this, align);
+    connect(&Theme::get(), &Theme::changed, this, align);
     restoreSplitters();
     connect(&Theme::get(), &Theme::changed, this, &ReviewCenter::fold);
     connect(&review.take(), &TakeDocument::opened, this, &ReviewCenter::fold);
@@ -105,7 +112,7 @@ void ReviewCenter::restoreSplitters() {
     if (!above_->restoreState(review_.shared().settings().value(kAbove).toByteArray()))
         above_->setSizes({theme.px(456), theme.px(412)});
     if (!whole_->restoreState(review_.shared().settings().value(kWhole).toByteArray()))
-        whole_->setSizes({theme.px(346), theme.px(476)});
+        whole_->setSizes({theme.px(346), theme.px(310)});
 }
 
 void ReviewCenter::keepSplitters() const {

@@ -32,6 +32,8 @@ void paintLine(QPainter& painter, const QRect& area, const QString& text, const 
 }
 
 void paintLines(QPainter& painter, const QRect& area, const TwoLines& lines) {
+    if (area.isEmpty())
+        return;  // no room for this column
     const Theme& theme = Theme::get();
     const int first = QFontMetrics(lines.first_font).height(),
               second = QFontMetrics(lines.second_font).height();
