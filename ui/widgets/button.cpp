@@ -44,6 +44,11 @@ void Button::setTall(bool tall) {
     restyle();
 }
 
+void Button::setFlush(bool flush) {
+    flush_ = flush;
+    restyle();
+}
+
 void Button::setDisabledBecause(const QString& reason) {
     if (isEnabled())
         enabled_tooltip_ = toolTip();
@@ -80,7 +85,7 @@ int Button::contentWidth() const {
 
 QSize Button::sizeHint() const {
     const Theme& theme = Theme::get();
-    const int margin = kind_ == ButtonKind::kText ? theme.px(8) : theme.px(tall_ ? 16 : 12);
+    const int margin = flush_ ? 0 : kind_ == ButtonKind::kText ? theme.px(8) : theme.px(tall_ ? 16 : 12);
     const int height = std::max(theme.px(tall_ ? 38 : 30), QFontMetrics(textFont()).height() + theme.px(6));
     return {contentWidth() + 2 * margin, height};
 }

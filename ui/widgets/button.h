@@ -27,6 +27,8 @@ public:
     void setShortcutHint(const QKeySequence& shortcut);
     /// 30 px instead of 38 for a primary button in a row of others, 38 for an outlined one that ends a dock.
     void setTall(bool tall);
+    /// A text button without room at its sides: its words stand where other words begin.
+    void setFlush(bool flush);
     /// Disabled with the reason as tooltip; an empty reason enables it.
     void setDisabledBecause(const QString& reason);
 
@@ -51,7 +53,7 @@ private:
     QString icon_name_;
     QKeySequence shortcut_;
     QString enabled_tooltip_;
-    bool tall_;
+    bool tall_, flush_ = false;
 };
 
 /// `icon`: a name of resources/icons, may be empty.

@@ -28,6 +28,7 @@
 #include "ui/views/performer/performer_measures_panel.h"
 #include "ui/views/performer/performer_page.h"
 #include "ui/views/session/start_page.h"
+#include "ui/widgets/button.h"
 #include "ui/widgets/scroll_area.h"
 #include "ui/widgets/step_bar.h"
 
@@ -49,6 +50,19 @@ TEST_F(MainWindowTest, BeginsWithTheStartPageAndNothingOpen) {
     EXPECT_EQ(window_->statusLine().jobsText(), "No jobs running");
     EXPECT_TRUE(window_->sideDocks().left().isHidden());
     EXPECT_TRUE(window_->sideDocks().right().isHidden());
+}
+
+TEST_F(MainWindowTest, LinksOfTheStartPageStandBelowTheirCaptions) {
+    const QWidget& start = window_->page(Step::kStart);
+    int links = 0;
+    for (const Button* button : start.findChildren<Button*>()) {
+        if (button->kind() != ButtonKind::kText || !button->isVisible())
+            continue;
+        ++links;
+        EXPECT_EQ(button->x(), 0) << button->text().toStdString();
+        EXPECT_EQ(button->width(), button->sizeHint().width());
+    }
+    EXPECT_GE(links, 3);
 }
 
 TEST_F(MainWindowTest, OpensNoLargerThanTheScreen) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/suit/default_suit.h"
@@ -30,6 +31,25 @@ TEST(BodyMap, ShowsTheBodyAtEverySize) {
         map.resize(size);
         EXPECT_TRUE(waitFor([&] { return figureShare(map) > 0.03; })) << size.width();
     }
+}
+
+TEST(BodyMap, NoLeaderRunsThroughTheMarkOfAnotherBoard) {
+    Theme::install(*qApp);
+    Theme::get().setScale(1);
+    const Suit suit = defaultSuit();
+    BodyMap map(defaultActor(), suit, nullptr);
+    map.resize(798, 702);  // Connect at 1280 by 800
+    map.show();
+    const auto at = [&](const std::string& segment) {
+        return static_cast<int>(std::ranges::find(suit.boards, segment, &Board::segment) -
+                                suit.boards.begin());
+    };
+    const QLineF pelvis = map.leaderOf(at("Hips"));
+    ASSERT_GT(pelvis.dx(), 0) << "its label is in the right column";
+    const QRect hand = map.boardButton(at("LeftHand"))->geometry();
+    const double way = (hand.center().x() - pelvis.x1()) / pelvis.dx();
+    const double y = pelvis.pointAt(way).y();
+    EXPECT_TRUE(y < hand.center().y() - 9 || y > hand.center().y() + 9) << y << " at " << hand.center().y();
 }
 
 /// A transceiver in each corner of a ceiling.

@@ -199,7 +199,8 @@ void BodyMap::separateMarkers() {
             }
 }
 
-/// Each label as near to its board's height as the others in the column allow.
+/// Each label as near to its board's height as the others in the column allow. Where a leader would run
+/// through the mark of a board further out, the two labels change places.
 void BodyMap::spreadLabels(bool left_column) {
     std::vector<Place*> column;
     for (Place& place : places_)
@@ -207,6 +208,47 @@ void BodyMap::spreadLabels(bool left_column) {
             column.push_back(&place);
     std::sort(column.begin(), column.end(),
               [](const Place* a, const Place* b) { return a->at_m.y() > b->at_m.y(); });
+    stack(column);
+    bool changed = false;
+    for (size_t i = 0; i + 1 < column.size(); ++i)
+        if (leaderHits(*column[i], *column[i + 1])) {
+            std::swap(column[i], column[i + 1]);
+            changed = true;
+            ++i;
+        }
+    if (changed)
+        stack(column);
+}
+
+bool BodyMap::leaderHits(const Place& inner, const Place& outer) const {
+    const QLineF line = leader(inner);
+    const double way = (outer.at_px.x() - line.x1()) / line.dx();
+    return way > 0 && std::abs(line.pointAt(std::min(way, 1.0)).y() - outer.at_px.y()) < Theme::get().px(9);
+}
+
+QLineF BodyMap::leader(const Place& place) const {
+    const Theme& theme = Theme::get();
+    const int direction = place.left_column ? -1 : 1;
+    return {place.at_px + QPointF(direction * theme.px(11), 0),
+            QPointF(labelEdge(place.left_column) - direction * theme.px(kLeader), place.label_y)};
+}
+
+QLineF BodyMap::leaderOf(int board) const {
+    const auto place = std::ranges::find_if(
+        places_, [board](const Place& one) { return one.is_board && one.index == board; });
+    return place == places_.end() ? QLineF() : leader(*place);
+}
+
+/// Where the labels of a column begin.
+int BodyMap::labelEdge(bool left_column) const {
+    const Theme& theme = Theme::get();
+    const int reach = static_cast<int>(half_width_m() * scale(drawingHeight()));
+    const int side = std::min(width() / 2 - theme.px(kLabelWidth), reach + theme.px(kLabelGap + kLeader));
+    return width() / 2 + (left_column ? -side : side);
+}
+
+/// The labels of a column, in this order from the top.
+void BodyMap::stack(const std::vector<Place*>& column) const {
     const double step = labelHeight();
     double lowest_free = Theme::get().px(kTop) + step / 2;
     for (Place* place : column) {

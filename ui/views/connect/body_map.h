@@ -42,6 +42,8 @@ public:
     int sourceCount() const { return static_cast<int>(suit_.sources.size()); }
     QAbstractButton* boardButton(int board) const;
     QAbstractButton* sourceButton(int source) const;
+    /// From a board to where its leader turns to the label; for tests.
+    QLineF leaderOf(int board) const;
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
@@ -78,6 +80,10 @@ private:
     void arrange();
     void separateMarkers();
     void spreadLabels(bool left_column);
+    void stack(const std::vector<Place*>& column) const;
+    bool leaderHits(const Place& inner, const Place& outer) const;
+    int labelEdge(bool left_column) const;
+    QLineF leader(const Place& place) const;
     /// As high as there is room, and no wider than the labels leave.
     int drawingHeight() const;
     /// Where the figure stands, in pixels from the top; in the middle of what it does not fill.

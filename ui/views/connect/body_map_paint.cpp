@@ -82,17 +82,15 @@ void BodyMap::paintDragged(QPainter& painter) const {
 void BodyMap::paintLabel(QPainter& painter, const Place& place) const {
     const Theme& theme = Theme::get();
     const Tokens& tokens = theme.tokens();
-    const int reach = static_cast<int>(half_width_m() * scale(drawingHeight()));
-    const int side = std::min(width() / 2 - theme.px(kLabelWidth), reach + theme.px(kLabelGap + kLeader));
-    const int edge = width() / 2 + (place.left_column ? -side : side);
+    const int edge = labelEdge(place.left_column);
     const int direction = place.left_column ? -1 : 1;
 
     const Tone tone = place.marker->tone();
     const bool quiet = tone == Tone::kNeutral || tone == Tone::kOk;
     painter.setPen(QPen(quiet ? tokens.line : colorOf(tone), 1));
-    const QPointF board = place.at_px + QPointF(direction * theme.px(11), 0);
-    painter.drawPolyline(QVector<QPointF>{board, QPointF(edge - direction * theme.px(kLeader), place.label_y),
-                                          QPointF(edge - direction * theme.px(6), place.label_y)});
+    const QLineF line = leader(place);
+    painter.drawPolyline(
+        QVector<QPointF>{line.p1(), line.p2(), QPointF(edge - direction * theme.px(6), place.label_y)});
 
     const QFont name = theme.font(TextRole::kBody, true), detail = theme.font(TextRole::kSecondary);
     const int name_height = QFontMetrics(name).height(), detail_height = QFontMetrics(detail).height();

@@ -116,8 +116,9 @@ QWidget* StartPage::makeSuitsFound() {
     auto* cards = new QWidget;
     suit_cards_ = makeColumn(cards, {}, 8);
     column->addWidget(cards);
-    auto* row = addRow(column, 0, {-8, 0, 0, 0});
+    auto* row = addRow(column, 0);
     connect_other_ = makeButton(ButtonKind::kText, tr("Connect a suit"));
+    connect_other_->setFlush(true);
     row->addWidget(connect_other_);
     row->addStretch();
     connect(&studio_.finder(), &SuitFinder::changed, this, &StartPage::showSuitsFound);
@@ -188,8 +189,9 @@ void StartPage::addFoundSuits() {
 QWidget* StartPage::makeLink(const QString& icon, const QString& text, const QString& hint,
                              void (StartPage::*signal)()) {
     auto* line = new QWidget;
-    auto* row = makeRow(line, {-8, 0, 0, 0}, 4);  // the words stand below the caption
+    auto* row = makeRow(line, {}, 12);
     Button* link = makeButton(ButtonKind::kText, text, icon);
+    link->setFlush(true);  // the words stand below the caption
     link->setAccessibleDescription(hint);
     row->addWidget(link);
     row->addWidget(new Label(hint, TextRole::kSecondary, Ink::kHint));
