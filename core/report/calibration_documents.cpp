@@ -206,9 +206,9 @@ CalibrationDocument documentOf(const GyroscopeReport& report) {
                               board.axes ? percent3(board.sigmaSlope()) : "–"});
     const std::string calibrated =
         counted(report.boards, [](const GyroscopeBoard& board) { return board.axes.has_value(); });
-    const std::string summary = "Gyroscopes of " + calibrated + " boards; the table turned at " +
-                                text::number(report.rpm, 3) + " rpm" +
-                                (report.speed_measured ? " by gravity's ripple" : ", its nominal speed");
+    const std::string summary =
+        "Gyroscopes of " + calibrated + " boards; the table turned at " + text::number(report.rpm, 3) +
+        " rpm" + (report.speed_measured ? ", measured by the accelerometers" : ", its nominal speed");
     CalibrationDocument found = document("Gyroscopes", summary, report.findings, {table});
     found.numbers = {
         number(degrees(worstOf(report.boards, &GyroscopeBoard::sigmaZero_rad_per_s)), 0.02, 3, " °/s",
@@ -216,7 +216,8 @@ CalibrationDocument documentOf(const GyroscopeReport& report) {
         number(worstOf(report.boards, &GyroscopeBoard::sigmaSlope) * 100, 0.03, 3, " %",
                "sigma of the worst slope"),
         {text::number(report.rpm, 3) + " rpm",
-         report.speed_measured ? "the table, by gravity's ripple" : "the table, nominal", "", Grade::kGood},
+         report.speed_measured ? "the table, measured by the accelerometers" : "the table, nominal", "",
+         Grade::kGood},
         numberOfParts(calibrated, "boards")};
     found.errors = {"Error of the rate in every turn and rest", "°/s", 0.05,
                     errorRows(report.boards, &GyroscopeBoard::turns, degrees(1),
@@ -263,7 +264,7 @@ CalibrationDocument documentOf(const RestPoseReport& report) {
         }
     const bool lacks_distances = report.sources > 0 && report.distances == 0;
     found.numbers = {
-        number(worst_sigma_deg, 0.5, 2, "°", "sigma of the worst board's upright"),
+        number(worst_sigma_deg, 0.5, 2, "°", "uncertainty of the vertical, worst board"),
         number(worst_lean_deg, 10, 1, "°", "the board that leans most"),
         {text::number(heading_deg, 0) + "°", "sigma of headings, which are the suit file's", "",
          Grade::kGood},

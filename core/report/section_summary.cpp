@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <map>
 
 #include "core/body/text.h"
 #include "core/job/limits.h"
@@ -42,11 +43,30 @@ std::string cards(const ReportData& data, const ReportRun* run) {
            "</div>\n";
 }
 
+/// For readers who know neither letters nor names of settings.
+std::string sensorsInWords(const std::string& sensors) {
+    static const std::map<std::string, std::string> kWords{
+        {"AGD", "accelerometers, gyroscopes and distances"},
+        {"AG", "accelerometers and gyroscopes"},
+        {"AD", "accelerometers and distances"},
+        {"GD", "gyroscopes and distances"},
+        {"A", "accelerometers alone"},
+        {"G", "gyroscopes alone"},
+        {"D", "distances alone"}};
+    const auto found = kWords.find(sensors);
+    return found == kWords.end() ? sensorsLabel(sensors) : found->second;
+}
+
+/// As the studio's choice of filters names them.
+std::string estimatorInWords(const std::string& estimator) {
+    return estimator == "manifold" ? "Noctule" : estimator == "paper" ? "Vlasic 2007" : estimator;
+}
+
 std::string explanation(const ReportData& data, const ReportRun* run) {
     if (!run)
         return "Process the take, then evaluate it again.";
-    std::string words = "Run " + run->name + ": sensors " + sensorsLabel(run->sensors) + ", estimator " +
-                        run->estimator + ", smoothing " + run->smoother + ", root " +
+    std::string words = "Run " + run->name + ": sensors " + sensorsInWords(run->sensors) + ", estimator " +
+                        estimatorInWords(run->estimator) + ", smoothing " + run->smoother + ", root " +
                         (run->root_given ? "given by another system" : "free") + ". ";
     constexpr VerdictLimits kLimits;
     if (run->comparison)

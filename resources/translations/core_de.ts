@@ -6361,6 +6361,10 @@
         <translation>, seine Nenndrehzahl</translation>
     </message>
     <message>
+        <source>, measured by the accelerometers</source>
+        <translation>, gemessen von den Beschleunigungssensoren</translation>
+    </message>
+    <message>
         <source>, root given</source>
         <translation>, Wurzel gegeben</translation>
     </message>
@@ -6865,6 +6869,10 @@
         <translation>%1 s am Stück ohne Signal: Die Pose ist dort geraten.</translation>
     </message>
     <message>
+        <source>Noctule</source>
+        <translation>Noctule</translation>
+    </message>
+    <message>
         <source>None of the magnetometers could be calibrated</source>
         <translation>Keines der Magnetometer konnte kalibriert werden</translation>
     </message>
@@ -7237,6 +7245,10 @@
         <translation>Ver­wendet</translation>
     </message>
     <message>
+        <source>Vlasic 2007</source>
+        <translation>Vlasic 2007</translation>
+    </message>
+    <message>
         <source>What became of every pulse at every board: heard or not, used by the filter or thrown out because it did not fit the pose.</source>
         <translation>Was aus jedem Puls an jeder Platine wurde: gehört oder nicht, vom Filter verwendet oder verworfen, weil er nicht zur Pose passte.</translation>
     </message>
@@ -7289,6 +7301,22 @@
         <translation>Nullpunkt des Beschleunigungssensors, mg</translation>
     </message>
     <message>
+        <source>accelerometers alone</source>
+        <translation>nur Beschleunigungssensoren</translation>
+    </message>
+    <message>
+        <source>accelerometers and distances</source>
+        <translation>Beschleunigungssensoren und Entfernungen</translation>
+    </message>
+    <message>
+        <source>accelerometers and gyroscopes</source>
+        <translation>Beschleunigungssensoren und Gyroskope</translation>
+    </message>
+    <message>
+        <source>accelerometers, gyroscopes and distances</source>
+        <translation>Beschleunigungssensoren, Gyroskope und Entfernungen</translation>
+    </message>
+    <message>
         <source>agreement of the distances, median</source>
         <translation>Übereinstimmung der Abstände, Median</translation>
     </message>
@@ -7329,10 +7357,6 @@
         <translation>gehörte Platinen</translation>
     </message>
     <message>
-        <source>by gravity's ripple</source>
-        <translation>nach der Welligkeit der Schwerkraft</translation>
-    </message>
-    <message>
         <source>by inertia alone</source>
         <translation>von Trägheit allein</translation>
     </message>
@@ -7363,6 +7387,10 @@
     <message>
         <source>directions of 100</source>
         <translation>Richtungen von 100</translation>
+    </message>
+    <message>
+        <source>distances alone</source>
+        <translation>nur Entfernungen</translation>
     </message>
     <message>
         <source>distances heard</source>
@@ -7447,6 +7475,14 @@
     <message>
         <source>gyroscope's zero, °/s</source>
         <translation>Nullpunkt des Gyroskops, °/s</translation>
+    </message>
+    <message>
+        <source>gyroscopes alone</source>
+        <translation>nur Gyroskope</translation>
+    </message>
+    <message>
+        <source>gyroscopes and distances</source>
+        <translation>Gyroskope und Entfernungen</translation>
     </message>
     <message>
         <source>hands, feet and head, mean position error in the frame of the pelvis</source>
@@ -7645,10 +7681,6 @@
         <translation>Sigma des schwächsten Ankers</translation>
     </message>
     <message>
-        <source>sigma of the worst board's upright</source>
-        <translation>Sigma der Senkrechten der schlechtesten Platine</translation>
-    </message>
-    <message>
         <source>sigma of the worst offset</source>
         <translation>Sigma des schlechtesten Versatzes</translation>
     </message>
@@ -7713,8 +7745,8 @@
         <translation>die simulierte Wahrheit</translation>
     </message>
     <message>
-        <source>the table, by gravity's ripple</source>
-        <translation>der Drehteller, nach der Welligkeit der Schwerkraft</translation>
+        <source>the table, measured by the accelerometers</source>
+        <translation>der Drehteller, gemessen von den Beschleunigungssensoren</translation>
     </message>
     <message>
         <source>the table, nominal</source>
@@ -7759,6 +7791,10 @@
     <message>
         <source>ulnar deviation</source>
         <translation>Ulnarabduktion</translation>
+    </message>
+    <message>
+        <source>uncertainty of the vertical, worst board</source>
+        <translation>Unsicherheit der Senkrechten, schlechteste Platine</translation>
     </message>
     <message>
         <source>under %1</source>
@@ -9869,16 +9905,16 @@
         <translation>`noctule --batch recover` darauf ausführen</translation>
     </message>
     <message>
+        <source>came late: when the recording was stopped, its last %.1f s were not there yet. They are marked as a gap.</source>
+        <translation>kam zu spät: Als die Aufnahme angehalten wurde, waren die letzten %.1f s noch nicht da. Sie sind als Lücke vermerkt.</translation>
+    </message>
+    <message>
         <source>processing has ended by a mistake of this program (%1)</source>
         <translation>die Verarbeitung endete durch einen Fehler dieses Programms (%1)</translation>
     </message>
     <message>
         <source>the live view</source>
         <translation>die Live-Ansicht</translation>
-    </message>
-    <message>
-        <source>came late: when the recording was stopped, its last %.1f s were not there yet. They are marked as a gap.</source>
-        <translation>kam zu spät: Als die Aufnahme angehalten wurde, waren die letzten %.1f s noch nicht da. Sie sind als Lücke vermerkt.</translation>
     </message>
     <message>
         <source>was lost after %.1f s and did not come back; the last %.1f s of it are missing and marked as a gap. The other suits were recorded on.</source>

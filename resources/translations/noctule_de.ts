@@ -4298,7 +4298,7 @@
     </message>
     <message>
         <source>%1 ranges kept, %2 left out</source>
-        <translation>%1 Entfernungen behalten, %2 ausgelassen</translation>
+        <translation>%1 behalten, %2 ausgelassen</translation>
     </message>
     <message>
         <source>This take has no result yet. Process it to see which board heard which source.</source>
@@ -7878,8 +7878,8 @@ Median; gut: unter %1</translation>
         <translation>Noctule</translation>
     </message>
     <message>
-        <source>Filter of the paper</source>
-        <translation>Filter der Veröffentlichung</translation>
+        <source>Published filter</source>
+        <translation>Veröffentlichter Filter</translation>
     </message>
     <message>
         <source>Vlasic 2007 to the letter, as a baseline for comparison.</source>
@@ -7926,8 +7926,8 @@ Median; gut: unter %1</translation>
         <translation>Name</translation>
     </message>
     <message>
-        <source>Under this name batch commands and exports find the result.</source>
-        <translation>Unter diesem Namen finden Stapelbefehle und Exporte das Ergebnis.</translation>
+        <source>Under this name batch commands and exports find the result. A, G and D stand for accelerometers, gyroscopes and distances.</source>
+        <translation>Unter diesem Namen finden Stapelbefehle und Exporte das Ergebnis. A, G und D stehen für Beschleunigungssensoren, Gyroskope und Entfernungen (distances).</translation>
     </message>
     <message>
         <source>Choose at least one kind of sensor.</source>
@@ -8046,8 +8046,8 @@ Median; gut: unter %1</translation>
         <translation>Jede Pose kennt alles davor und danach: die übliche Wahl für eine fertige Aufnahme.</translation>
     </message>
     <message>
-        <source>As in the paper and in a live recording.</source>
-        <translation>Wie in der Veröffentlichung und in einer Live-Aufnahme.</translation>
+        <source>As published by Vlasic 2007, and as in a live recording.</source>
+        <translation>Wie von Vlasic 2007 veröffentlicht und wie beim Aufnehmen.</translation>
     </message>
     <message>
         <source>In use now</source>
@@ -8423,8 +8423,8 @@ Median; gut: unter %1</translation>
         <translation>Die Nachbarn tragen sie inzwischen. Vor der nächsten Aufnahme Stecker und Kabel prüfen.</translation>
     </message>
     <message>
-        <source>Filter of the paper</source>
-        <translation>Filter der Veröffentlichung</translation>
+        <source>Published filter</source>
+        <translation>Veröffentlichter Filter</translation>
     </message>
     <message>
         <source>smoothed</source>

@@ -188,7 +188,7 @@ QString runInWords(const RunSettings& settings) {
     QStringList parts;
     const QString sensors = sensorsInWords(settings.sensors);
     if (settings.estimator == "paper") {
-        parts += Words::tr("Filter of the paper");
+        parts += Words::tr("Published filter");
         if (settings.sensors != "AGD")
             parts += sensors.left(1).toLower() + sensors.mid(1);
     } else if (settings.estimator == "orientation") {

@@ -126,6 +126,11 @@ TEST(HtmlReport, HoldsTheNumbersItWasGiven) {
     EXPECT_TRUE(has(page, "345.5 m/s"));
 }
 
+TEST(HtmlReport, NamesSensorsAndFilterInWords) {
+    EXPECT_TRUE(has(htmlReport(shortReport()),
+                    "sensors accelerometers, gyroscopes and distances, estimator Noctule"));
+}
+
 TEST(HtmlReport, ShowsHowFarAnotherRunIsFromTheShownOne) {
     ReportData data = madeReport(6);
     const std::string caption = "How far other runs are from the shown run";

@@ -121,7 +121,7 @@ void ReprocessDialog::addFilter(QBoxLayout& into) {
     using enum ChoiceRow::Kind;
     ours = new ChoiceRow(kRadio, tr("Noctule"),
                          tr("Rotations without singularities; ranges that do not fit are left out."));
-    paper = new ChoiceRow(kRadio, tr("Filter of the paper"),
+    paper = new ChoiceRow(kRadio, tr("Published filter"),
                           tr("Vlasic 2007 to the letter, as a baseline for comparison."));
     independent =
         new ChoiceRow(kRadio, tr("Independent sensors"),
@@ -172,8 +172,8 @@ void ReprocessDialog::addSmoothing(QBoxLayout& into) {
 
 void ReprocessDialog::addDetector(QBoxLayout& into) {
     using enum ChoiceRow::Kind;
-    inflection =
-        new ChoiceRow(kRadio, tr("By the rise of the pulse"), tr("As in the paper and in a live recording."));
+    inflection = new ChoiceRow(kRadio, tr("By the rise of the pulse"),
+                               tr("As published by Vlasic 2007, and as in a live recording."));
     matched = new ChoiceRow(kRadio, tr("By the whole pulse"),
                             tr("Fits each source’s own pulse: finer where nothing stands in between."));
     addGroup(into, tr("Distances are measured"), {inflection, matched});
@@ -225,7 +225,9 @@ void ReprocessDialog::addName(QBoxLayout& into) {
     auto* rows = new FormRows;
     name = new QLineEdit;
     rows->addRow(tr("Name"), name);
-    name->setToolTip(tr("Under this name batch commands and exports find the result."));
+    name->setToolTip(
+        tr("Under this name batch commands and exports find the result. A, G and D stand for accelerometers, "
+           "gyroscopes and distances."));
     into.addWidget(rows);
 }
 
