@@ -20,7 +20,7 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kTopBarHeight = 52, kFoldBelow = 1180, kMark = 60;
+constexpr int kTopBarHeight = 52, kFoldBelow = 1180, kMark = 60, kGaps = 40;
 constexpr std::array kSteps{Step::kConnect, Step::kCalibrate, Step::kRecord,
                             Step::kRobot,   Step::kReview,    Step::kExport};
 
@@ -175,7 +175,7 @@ void TopBar::foldWhereNarrow() {
     suit_->setBrief(!room);
     // A suit's trouble must be seen: the keys of Record give way to it.
     const int all = folded_->sizeHint().width() + steps_->sizeHint().width() + record_->sizeHint().width() +
-                    suit_->sizeHint().width() + Theme::get().px(kMark + 40);
+                    suit_->sizeHint().width() + Theme::get().px(kMark + kGaps);
     if (has_steps && all > width())
         record_->setShortcutHint({});
     const int box = 2 * (box_->sizeHint().width() + Theme::get().px(8));
@@ -187,7 +187,7 @@ QSize TopBar::sizeHint() const {
 }
 
 QSize TopBar::minimumSizeHint() const {
-    const int left = folded_->sizeHint().width() + Theme::get().px(kMark),
+    const int left = folded_->sizeHint().width() + Theme::get().px(kMark + kGaps),
               right = right_->minimumSizeHint().width();
     return {steps_->isHidden() ? 2 * std::max(left, right) : left + steps_->minimumSizeHint().width() + right,
             Theme::get().px(kTopBarHeight)};
