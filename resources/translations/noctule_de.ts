@@ -7730,6 +7730,14 @@ Median; gut: unter %1</translation>
         <source>The take is being processed. Its verdict will be here.</source>
         <translation>Die Aufnahme wird gerade verarbeitet. Hier steht dann ihr Urteil.</translation>
     </message>
+    <message>
+        <source>The file is damaged</source>
+        <translation>Die Datei ist beschädigt</translation>
+    </message>
+    <message>
+        <source>Not all of the take can be read. The numbers are of what could be.</source>
+        <translation>Nicht alles von der Aufnahme ist lesbar. Die Zahlen gelten für das, was gelesen wurde.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::ReportView</name>
@@ -10676,6 +10684,11 @@ Drehen, beide Richtungen x3</translation>
         <source>Jobs (%1)</source>
         <comment>a key</comment>
         <translation>Aufträge (%1)</translation>
+    </message>
+    <message>
+        <source>%1, %2, damaged</source>
+        <comment>a take&apos;s file and its size</comment>
+        <translation>%1, %2, beschädigt</translation>
     </message>
 </context>
 <context>

@@ -59,6 +59,7 @@ StatusLine::StatusLine(Studio& studio, QWidget* parent) : QWidget(parent), studi
     connect(&studio_.suits(), &LiveSuits::changed, this, &StatusLine::showStorage);
     connect(&studio_.session(), &SessionModel::changed, this, &StatusLine::showOpen);
     connect(&studio_.take(), &TakeDocument::opened, this, &StatusLine::showOpen);
+    connect(&studio_.take(), &TakeDocument::torn, this, &StatusLine::showOpen);
     connect(&studio_, &Studio::said, this, &StatusLine::say);
     studio_.suits().follow(&LiveSuit::phaseChanged, this, &StatusLine::showOpen);
     studio_.suits().follow(&SuitCheck::changed, this, &StatusLine::showOpen);
@@ -105,6 +106,8 @@ QString StatusLine::sessionWords() const {
     if (studio_.take().isOpen()) {
         const TakeOverview& take = *studio_.take().overview();
         const QString file = QFileInfo(studio_.take().path()).fileName(), size = bytesText(take.bytes);
+        if (studio_.take().isDamaged())
+            return tr("%1, %2, damaged", "a take's file and its size").arg(file, size);
         if (take.state == "complete")
             return tr("%1, %2, complete", "a take's file and its size").arg(file, size);
         if (take.state == "recovered")
@@ -133,14 +136,22 @@ QString StatusLine::suitWords() const {
     return words.join(QStringLiteral(", "));
 }
 
+Tone StatusLine::tone() const {
+    const LiveSuit& suit = studio_.suit();
+    if (suit.phase() != LiveSuit::Phase::kNone) {
+        const bool holds =
+            suit.status()->link != LinkState::kLost && suit.phase() != LiveSuit::Phase::kRefused;
+        return holds ? Tone::kOk : Tone::kError;
+    }
+    return studio_.take().isDamaged() ? Tone::kError : Tone::kOk;
+}
+
 void StatusLine::showOpen() {
     const Theme& theme = Theme::get();
     const QString suit = suitWords();
     const bool something_open = studio_.session().isOpen() || studio_.take().isOpen();
-    const bool link_holds = studio_.suit().status()->link != LinkState::kLost &&
-                            studio_.suit().phase() != LiveSuit::Phase::kRefused;
     safe_->setVisible((something_open || !suit.isEmpty()) && said_.isEmpty());
-    const QColor color = link_holds ? theme.tokens().ok : theme.tokens().err;
+    const QColor color = colorOf(tone());
     const QString picture = suit.isEmpty() ? "safe" : "link";
     if (const QString drawn = picture + color.name() + QString::number(theme.px(14)); drawn != drawn_) {
         drawn_ = drawn;

@@ -8,6 +8,7 @@
 #include <QWidget>
 
 #include "ui/models/studio.h"
+#include "ui/style/ink.h"
 
 namespace noctule::ui {
 
@@ -21,6 +22,8 @@ public:
     explicit StatusLine(Studio& studio, QWidget* parent = nullptr);
 
     QString openText() const;
+    /// Of the picture before openText().
+    Tone tone() const;
     QString jobsText() const;
     QString storageText() const;
 

@@ -79,7 +79,7 @@ void ReviewContext::saveReadable(const QString& path) {
                 return saved.error();
             return Saved{QString::fromStdString(copy), *saved};
         },
-        [here = QPointer(&here_), this, name](Result<Saved> copy) -> QString {
+        [here = QPointer(&here_), this, path, name](Result<Saved> copy) -> QString {
             if (!here || (!copy && copy.error().kind == ErrorKind::kCancelled))
                 return {};
             if (!copy) {
@@ -88,7 +88,7 @@ void ReviewContext::saveReadable(const QString& path) {
                     coreWords(copy.error()), About::kTake);
                 return {};
             }
-            if (!take_.isOpen())  // else the operator has gone on with another one
+            if (!take_.isOpen() || take_.path() == path)  // else the operator has gone on with another one
                 take_.open(copy->path);
             if (copy->losses)
                 emit shared_.warned(SessionModel::savedInWords(name, *copy->losses), About::kTakes);

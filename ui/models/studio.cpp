@@ -167,7 +167,9 @@ Job* Studio::startProcessing(const std::string& take_path,
         },
         [this, path, take, kept = session().keepInPlace(path)](Result<ProcessSummary> summary) -> QString {
             if (!summary) {
-                if (summary.error().kind != ErrorKind::kCancelled)
+                if (summary.error().is_damage)
+                    this->take().noteDamage(path, summary.error());
+                else if (summary.error().kind != ErrorKind::kCancelled)
                     emit failed(coreWords(summary.error().message), coreWords(summary.error().remedy),
                                 About::kProcess);
                 return {};

@@ -118,7 +118,10 @@ void TakeChanges::finish(const Order& order, const Status& status) {
     if (!status) {
         if (*order.step == Written::kNotYet)
             *order.step = Written::kNever;
-        emit failed(coreWords(status.error().message), coreWords(status.error().remedy));
+        if (status.error().is_damage)
+            take_.noteDamage(order.path, status.error());
+        else
+            emit failed(coreWords(status.error().message), coreWords(status.error().remedy));
     } else {
         *order.step = order.to_do ? Written::kDone : Written::kUndone;
         emit written(order.path, order.change);

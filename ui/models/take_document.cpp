@@ -174,9 +174,15 @@ void TakeDocument::refuse(const Error& error) {
     if (!isOpen())
         path_.clear();
     if (error.is_damage)
-        emit torn(path, coreWords(error));
+        noteDamage(path, error);
     else
         emit failed(coreWords(error));
+}
+
+void TakeDocument::noteDamage(const QString& path, const Error& error) {
+    if (isOpen() && path == path_)
+        damaged_ = true;
+    emit torn(path, coreWords(error));
 }
 
 void TakeDocument::setShownRun(int index) {
@@ -234,6 +240,7 @@ void TakeDocument::forget() {
     overview_ = nullptr;
     pair_suit_ = nullptr;
     problem_.clear();
+    damaged_ = false;
     shown_ = compared_ = -1;
 }
 

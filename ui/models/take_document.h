@@ -89,6 +89,10 @@ public:
     /// What went wrong with the part that failed last, and what to do; empty when none did since the take was
     /// opened or reloaded.
     const QString& problem() const { return problem_; }
+    /// Whether something of the file could not be read since its database is torn.
+    bool isDamaged() const { return damaged_; }
+    /// Work on the take at `path`, which need not be this one, found its database torn; torn() tells.
+    void noteDamage(const QString& path, const Error& error);
     /// Whether anything is being read.
     bool isLoading() const;
     /// The job that makes a result of the take at `path`; views of that take tell of it.
@@ -109,7 +113,7 @@ signals:
     void processingChanged();
     void opened();  ///< overview is there, or the document was closed
     void failed(const QString& message);
-    /// Instead of failed(): the file is torn, part of it may be readable.
+    /// The file is torn, part of it may be readable. Instead of failed(), or once a part could not be read.
     void torn(const QString& path, const QString& why);
     void runsChanged();    ///< list or choice
     void motionChanged();  ///< a motion or the contacts have been loaded
@@ -214,6 +218,7 @@ private:
     std::shared_ptr<const Suit> pair_suit_;
     int sources_of_ = 0;
     int shown_ = -1, compared_ = -1;
+    bool damaged_ = false;
     bool report_awaited_ = false;  ///< asked for while what moves and is plotted was still being read
 
     // By number of the run; kReference: the reference.

@@ -39,6 +39,8 @@ void TakeDocument::accept(Parts<Key, T>& parts, const Key& key, uint64_t ticket,
         found->second.value = std::make_shared<const T>(std::move(*result));
     else
         problem_ = coreWords(result.error());
+    if (!result && result.error().is_damage && !damaged_)
+        noteDamage(path_, result.error());
     (this->*changed)();  // a signal
 }
 

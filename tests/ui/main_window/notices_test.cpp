@@ -4,6 +4,7 @@
 
 #include "tests/devices/support/test_box.h"
 #include "tests/ui/main_window/studio_fixture.h"
+#include "ui/main_window/status_line.h"
 #include "ui/style/theme.h"
 #include "ui/views/session/big_button.h"
 #include "ui/views/session/start_page.h"
@@ -121,6 +122,21 @@ TEST_F(NoticesTest, AFailedProcessingIsForgottenWithTheNext) {
     studio_->processAccurately(studio_->take().path().toStdString(), {});
     EXPECT_EQ(told(), QStringList());
     EXPECT_TRUE(waitFor([this] { return studio_->jobs().idle(); }));
+}
+
+TEST_F(NoticesTest, ADamagedTakeIsInErrorAndCanBeSaved) {
+    openSampleTake();
+    ASSERT_TRUE(waitFor([this] { return studio_->jobs().idle(); }));
+    EXPECT_EQ(window_->statusLine().tone(), Tone::kOk);
+    studio_->take().noteDamage(studio_->take().path(),
+                               {ErrorKind::kUnreadable, "the file is damaged", "Save it", true});
+    EXPECT_EQ(window_->statusLine().tone(), Tone::kError);
+    EXPECT_TRUE(window_->statusLine().openText().endsWith("damaged"));
+    EXPECT_EQ(told(), QStringList{"sample_001 is damaged"});
+    QStringList actions;
+    for (const auto* button : window_->notices().findChildren<Button*>())
+        actions.append(button->text());
+    EXPECT_TRUE(actions.contains("Save what can be read"));
 }
 
 TEST_F(NoticesTest, OfFilesTheLatestIsTold) {

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <thread>
 
-#include "tests/support/files.h"
+#include "tests/support/take_files.h"
 #include "tests/ui/support/wait.h"
 
 namespace noctule::ui {
@@ -141,6 +141,23 @@ TEST_F(StudioTest, ProcessingThatFailsIsTold) {
     EXPECT_EQ(job->state(), Job::State::kFailed);
     EXPECT_TRUE(failed[0][0].toString().contains("nothing.noctule"));
     EXPECT_FALSE(failed[0][1].toString().isEmpty());
+}
+
+TEST_F(StudioTest, DamageThatProcessingFindsIsOfferedToBeSaved) {
+    studio_->tryVirtualSuit();
+    ASSERT_TRUE(waitForTake());
+    const QString path = studio_->take().path();
+    noctule::test::damageRowsOf(path.toStdString(), "adc_block");
+    QSignalSpy failed(studio_.get(), &Studio::failed), torn(studio_.get(), &Studio::tornTake);
+    const Job* job = studio_->processAccurately(path.toStdString());
+    ASSERT_TRUE(waitFor([&] { return job->state() == Job::State::kFailed; }));
+    ASSERT_EQ(torn.count(), 1);
+    EXPECT_EQ(torn[0][0].toString(), path);
+    EXPECT_TRUE(studio_->take().isDamaged());
+    EXPECT_EQ(failed.count(), 0) << "it is told once";
+    studio_->saveReadable(path);
+    EXPECT_TRUE(waitFor([this] { return studio_->jobs().idle() && studio_->take().isOpen(); }));
+    EXPECT_FALSE(studio_->take().isDamaged());
 }
 
 TEST_F(StudioTest, WhatFailedIsStillToldWhenTheNextTakesWereProcessed) {

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "tests/core/processing/made_take.h"
+#include "tests/support/take_files.h"
 #include "tests/ui/support/wait.h"
 
 namespace noctule::ui {
@@ -164,6 +165,27 @@ TEST_F(TakeDocumentTest, WhatCannotBeReadIsSaid) {
     EXPECT_FALSE(document_.problem().isEmpty());
     QTest::qWait(50);
     EXPECT_EQ(motion.count(), 1);  // a failure is not tried again and again
+}
+
+TEST_F(TakeDocumentTest, APartThatIsTornMakesTheTakeDamaged) {
+    noctule::test::damageRowsOf(path(), "pose");
+    ASSERT_TRUE(openAndWait());
+    EXPECT_FALSE(document_.isDamaged()) << "nobody has looked there yet";
+    QSignalSpy torn(&document_, &TakeDocument::torn);
+    document_.shownMotion();
+    ASSERT_TRUE(waitFor([&] { return torn.count() == 1; }));
+    EXPECT_TRUE(document_.isDamaged());
+    EXPECT_EQ(torn[0][0].toString(), qpath());
+    document_.close();
+    EXPECT_FALSE(document_.isDamaged());
+}
+
+TEST_F(TakeDocumentTest, DamageOfAnotherTakeIsToldOnly) {
+    ASSERT_TRUE(openAndWait());
+    QSignalSpy torn(&document_, &TakeDocument::torn);
+    document_.noteDamage("other.noctule", {ErrorKind::kUnreadable, "other: the file is damaged", "", true});
+    EXPECT_EQ(torn.count(), 1);
+    EXPECT_FALSE(document_.isDamaged());
 }
 
 TEST_F(TakeDocumentTest, ClosingForgets) {

@@ -279,6 +279,7 @@ void ExportPage::start(const QString& title, std::function<Result<ExportResults>
 void ExportPage::present(const Result<ExportResults>& results, bool is_trial) {
     results_.reset();
     if (results) {
+        noteDamage(*results);
         results_panel_->setResults(*results, is_trial);
         if (!is_trial) {
             results_ = *results;
@@ -287,6 +288,16 @@ void ExportPage::present(const Result<ExportResults>& results, bool is_trial) {
     }  // else the line beside the buttons says why
     // The job still counts as running here; its end refreshes the buttons.
     emit finished();
+}
+
+void ExportPage::noteDamage(const ExportResults& results) {
+    const SessionModel& session = review_.shared().session();
+    for (const ExportOutcome& outcome : results.outcomes) {
+        if (!session.isOpen() || !outcome.error || !outcome.error->is_damage)
+            continue;
+        if (const int take = session.session().findTake(outcome.take.toStdString()); take >= 0)
+            review_.take().noteDamage(session.takePath(take), *outcome.error);
+    }
 }
 
 void ExportPage::openFolder() {

@@ -56,6 +56,7 @@ private:
     void start(const QString& title, std::function<Result<ExportResults>(const JobContext&)> work,
                bool is_trial);
     void present(const Result<ExportResults>& results, bool is_trial);
+    void noteDamage(const ExportResults& results);
     /// What the operator asks for at the moment.
     struct Asked {
         ExportSettings settings;

@@ -80,6 +80,7 @@ ReportPanel::ReportPanel(ReviewContext& review, QWidget* parent)
          {&TakeDocument::opened, &TakeDocument::runsChanged, &TakeDocument::reportChanged})
         connect(&review.take(), signal, this, &ReportPanel::refresh);
     connect(&review.take(), &TakeDocument::processingChanged, this, &ReportPanel::refresh);
+    connect(&review.take(), &TakeDocument::torn, this, &ReportPanel::refresh);
     connect(&review.take(), &TakeDocument::motionChanged, this, &ReportPanel::showFeet);
     refresh();
 }
@@ -127,6 +128,9 @@ void ReportPanel::refresh() {
     else if (has_run)
         verdict_->setVerdict(Tone::kNeutral, tr("Judging the take"),
                              tr("Its sensors and results are being compared."));
+    if (has_run && take.isDamaged())
+        verdict_->setVerdict(Tone::kError, tr("The file is damaged"),
+                             tr("Not all of the take can be read. The numbers are of what could be."));
 }
 
 void ReportPanel::showVerdict(const TakeVerdict& verdict) {
