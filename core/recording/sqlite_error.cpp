@@ -11,8 +11,7 @@ Error sqliteError(sqlite3* handle, const std::string& name) {
     const std::string detail = handle ? std::string(" (") + sqlite3_errmsg(handle) + ")" : "";
     switch (handle ? sqlite3_errcode(handle) & 0xff : SQLITE_NOMEM) {
         case SQLITE_NOTADB:
-            return {ErrorKind::kUnreadable, name + ": is not a take, it is no SQLite database",
-                    "Choose a .noctule file"};
+            return {ErrorKind::kUnreadable, name + ": is not a take", "Choose a .noctule file"};
         case SQLITE_CORRUPT:
         case SQLITE_TOOBIG:
             return {ErrorKind::kUnreadable, name + ": the file is damaged" + detail,

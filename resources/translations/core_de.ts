@@ -5575,12 +5575,12 @@
         <translation>%1: ist beschädigt: %2</translation>
     </message>
     <message>
-        <source>%1: is not a take, it is a database of another kind</source>
-        <translation>%1: ist keine Aufnahme, es ist eine Datenbank anderer Art</translation>
+        <source>%1: is not a take</source>
+        <translation>%1: ist keine Aufnahme</translation>
     </message>
     <message>
-        <source>%1: is not a take, it is no SQLite database</source>
-        <translation>%1: ist keine Aufnahme, es ist keine SQLite-Datenbank</translation>
+        <source>%1: is not a take, it is a database of another kind</source>
+        <translation>%1: ist keine Aufnahme, es ist eine Datenbank anderer Art</translation>
     </message>
     <message>
         <source>%1: is not a take, its '%2' is a %3%4 instead of a table of rows</source>

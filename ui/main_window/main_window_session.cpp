@@ -146,9 +146,7 @@ void MainWindow::open(const QString& path) {
 void MainWindow::openTake(const QString& path) {
     const QString folder = SessionCommands::sessionOfTake(path);
     if (folder.isEmpty()) {
-        studio_.session().setCurrentTake(-1);
-        studio_.take().open(path);
-        goTo(Step::kReview);
+        studio_.openLoose(path);
         return;
     }
     studio_.session().open(folder, QFileInfo(path).completeBaseName());

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/recording/recover_take.h"
+#include "core/recording/take.h"
 #include "core/session/take_folder.h"
 #include "ui/language/core_words.h"
 
@@ -55,6 +56,36 @@ void ReviewContext::tellTorn(int index) {
         emit shared_.tornTake(session.takePath(index), coreWords(take.problem));
 }
 
+void ReviewContext::openLoose(const QString& path) {
+    emit shared_.settled(About::kFile);
+    shared_.jobs().start<Done>(
+        TakeDocument::tr("Opening %1").arg(QFileInfo(path).fileName()),
+        [path](const JobContext&) -> Status {
+            const auto take = Take::open(path.toStdString());
+            return take ? Status(Done{}) : Status(take.error());
+        },
+        [here = QPointer(&here_), this, path](const Status& is_take) -> QString {
+            if (!here || (!is_take && is_take.error().kind == ErrorKind::kCancelled))
+                return {};
+            if (is_take) {
+                showLoose(path);
+                shared_.goTo(Step::kReview);
+            } else if (is_take.error().is_damage) {
+                take_.noteDamage(path, is_take.error());
+            } else {
+                emit shared_.failed(coreWords(is_take.error().message), coreWords(is_take.error().remedy),
+                                    About::kFile);
+            }
+            return {};
+        },
+        Jobs::Loudness::kQuiet);
+}
+
+void ReviewContext::showLoose(const QString& path) {
+    shared_.session().setCurrentTake(-1);
+    take_.open(path);
+}
+
 void ReviewContext::saveReadable(const QString& path) {
     SessionModel& session = shared_.session();
     const int takes = session.isOpen() ? static_cast<int>(session.session().takes.size()) : 0;
@@ -79,7 +110,7 @@ void ReviewContext::saveReadable(const QString& path) {
                 return saved.error();
             return Saved{QString::fromStdString(copy), *saved};
         },
-        [here = QPointer(&here_), this, path, name](Result<Saved> copy) -> QString {
+        [here = QPointer(&here_), this, shown = take_.path(), name](Result<Saved> copy) -> QString {
             if (!here || (!copy && copy.error().kind == ErrorKind::kCancelled))
                 return {};
             if (!copy) {
@@ -88,8 +119,10 @@ void ReviewContext::saveReadable(const QString& path) {
                     coreWords(copy.error()), About::kTake);
                 return {};
             }
-            if (!take_.isOpen() || take_.path() == path)  // else the operator has gone on with another one
-                take_.open(copy->path);
+            if (!take_.isOpen() || take_.path() == shown)  // else the operator has gone on with another one
+                showLoose(copy->path);
+            if (shown.isEmpty())
+                shared_.goTo(Step::kReview);
             if (copy->losses)
                 emit shared_.warned(SessionModel::savedInWords(name, *copy->losses), About::kTakes);
             return SessionModel::tr("%1 is recovered").arg(name);

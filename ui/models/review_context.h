@@ -26,11 +26,14 @@ public:
     TakeChanges& changes() { return changes_; }
     MarkerEditor& markers() { return markers_; }
     ContactEditor& contacts() { return contacts_; }
+    /// A take of no session, once it proves to be one; until then what is open stays open. A job.
+    void openLoose(const QString& path);
     /// Of a torn take; a job. One of the session is replaced and kept in the trash, of any other a copy is
     /// made beside it and opened.
     void saveReadable(const QString& path);
 
 private:
+    void showLoose(const QString& path);
     void openChosenTake(int index);
     void followTake();
     void tellTorn(int index);

@@ -60,6 +60,8 @@ TakeList::TakeList(ReviewContext& review, QWidget* parent)
 void TakeList::chooseOpen() {
     if (const int row = takes_->openRow(); row >= 0)
         setCurrentIndex(takes_->index(row));
+    else if (review_.take().isOpen())  // one of no session
+        setCurrentIndex({});
     updateGeometry();
 }
 

@@ -17,6 +17,7 @@
 #include "ui/views/session/recent_sessions.h"
 #include "ui/views/session/session_list.h"
 #include "ui/views/session/start_page.h"
+#include "ui/views/take_list.h"
 #include "ui/widgets/button.h"
 
 namespace noctule::ui {
@@ -171,6 +172,38 @@ TEST_F(SessionInWindow, ADamagedTakeIsToldInWords) {
     ASSERT_TRUE(waitFor([this] { return window_->notices().count() > 0; }));
     EXPECT_TRUE(window_->notices().titles().first().contains("broken"))
         << window_->notices().titles().first().toStdString();
+}
+
+TEST_F(SessionInWindow, AFileThatIsNoTakeLeavesOpenWhatIsOpen) {
+    openSampleTake();
+    ASSERT_TRUE(waitFor([this] { return studio_->jobs().idle(); }));
+    const QString before = studio_->take().path();
+    const QString path = folder_.filePath("letter.noctule");
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(QByteArray(5000, 'a'));
+    file.close();
+    window_->open(path);
+    ASSERT_TRUE(waitFor([this] { return window_->notices().count() > 0; }));
+    EXPECT_TRUE(isTold("is not a take"));
+    EXPECT_FALSE(isTold("SQLite"));
+    EXPECT_EQ(studio_->take().path(), before);
+    EXPECT_TRUE(studio_->take().isOpen());
+    EXPECT_EQ(studio_->session().currentTake(), 0);
+}
+
+TEST_F(SessionInWindow, WhileATakeOfNoSessionIsOpenNoneOfTheListIsHighlighted) {
+    openSampleTake();
+    ASSERT_TRUE(waitFor([this] { return studio_->jobs().idle(); }));
+    auto* list = window_->findChild<TakeList*>();
+    ASSERT_TRUE(list);
+    ASSERT_TRUE(list->currentIndex().isValid());
+    const QString path = folder_.filePath("walk_001.noctule");
+    ASSERT_TRUE(test::makeQuickTake(path.toStdString(), {}));
+    window_->open(path);
+    ASSERT_TRUE(waitFor([&] { return studio_->take().isOpen() && studio_->take().path() == path; }));
+    EXPECT_FALSE(list->currentIndex().isValid());
+    EXPECT_TRUE(list->selectionModel()->selectedIndexes().isEmpty());
 }
 
 /// The first page from behind its header on; the list of tables stands at the page's end.
