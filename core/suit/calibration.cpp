@@ -221,7 +221,8 @@ nlohmann::json toJson(const Calibration& calibration) {
 Result<Calibration> calibrationFromJson(const nlohmann::json& json, const std::string& where) {
     std::optional<Error> error;
     JsonObject object(json, where, error);
-    object.expectFormat("noctule-calibration", 1);
+    object.expectFormat("noctule-calibration", 1, "is not a calibration",
+                        "Choose a file that was exported as a calibration");
     Calibration calibration;
     calibration.created_utc = object.textOr("created_utc", "");
     const nlohmann::json sound = object.objectOrEmpty("sound");

@@ -45,9 +45,11 @@ bool JsonObject::present(const char* member) {
     return false;
 }
 
-void JsonObject::expectFormat(const std::string& format, int version) {
-    if (textOr("format", "") != format)
-        fail(ErrorKind::kUnreadable, "format", "must be \"" + format + "\"");
+void JsonObject::expectFormat(const std::string& format, int version, const char* is_not,
+                              const char* remedy) {
+    const nlohmann::json* found_format = find("format");
+    if (!first_error_ && (!found_format || *found_format != format))
+        first_error_ = Error{ErrorKind::kUnreadable, what_ + ": " + is_not, remedy};
     const double found = numberOr("version", version);
     if (found >= version + 1 || found < version)
         fail(ErrorKind::kUnreadable, "version", "must be " + std::to_string(version) + " in this program");

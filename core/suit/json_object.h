@@ -19,7 +19,8 @@ public:
     JsonObject(const nlohmann::json& json, std::string what, std::optional<Error>& first_error);
 
     /// Checks `format` and `version`: kUnreadable when it is something else or from a later major version.
-    void expectFormat(const std::string& format, int version);
+    /// `is_not` and `remedy` tell of something else: "is not a suit", "Choose a file with a suit".
+    void expectFormat(const std::string& format, int version, const char* is_not, const char* remedy);
 
     std::string text(const char* member);  ///< must be there and not be empty
     std::string textOr(const char* member, const std::string& fallback);

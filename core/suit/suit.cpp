@@ -185,7 +185,7 @@ nlohmann::json toJson(const Suit& suit) {
 Result<Suit> suitFromJson(const nlohmann::json& json, const std::string& where) {
     std::optional<Error> error;
     JsonObject object(json, where, error);
-    object.expectFormat("noctule-suit", 1);
+    object.expectFormat("noctule-suit", 1, "is not a suit", "Choose a file with the description of a suit");
     Suit suit;
     suit.name = object.nameOr("name", "");
     suit.boards = readParts<Board>(object, "boards", "board", where, readBoard, error);

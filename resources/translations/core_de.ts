@@ -9041,6 +9041,14 @@
         <translation>%1: Quelle '%2' sitzt auf Platine '%3', die der Anzug nicht hat</translation>
     </message>
     <message>
+        <source>Choose a file that was exported as a calibration</source>
+        <translation>Eine Datei wählen, die als Kalibrierung exportiert wurde</translation>
+    </message>
+    <message>
+        <source>Choose a file with the description of a suit</source>
+        <translation>Eine Datei mit der Beschreibung eines Anzugs wählen</translation>
+    </message>
+    <message>
         <source>Correct the board in the suit's description</source>
         <translation>Die Platine in der Beschreibung des Anzugs berichtigen</translation>
     </message>
@@ -9057,12 +9065,16 @@
         <translation>Das Format steht in core/recording/README.md</translation>
     </message>
     <message>
-        <source>is there twice</source>
-        <translation>steht zweimal darin</translation>
+        <source>is not a calibration</source>
+        <translation>ist keine Kalibrierung</translation>
     </message>
     <message>
-        <source>must be "%1"</source>
-        <translation>muss "%1" sein</translation>
+        <source>is not a suit</source>
+        <translation>ist kein Anzug</translation>
+    </message>
+    <message>
+        <source>is there twice</source>
+        <translation>steht zweimal darin</translation>
     </message>
     <message>
         <source>must be %1 in this program</source>

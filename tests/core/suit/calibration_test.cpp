@@ -104,7 +104,7 @@ INSTANTIATE_TEST_SUITE_P(
     All, DamagedCalibration,
     testing::Values(
         Damage{"", Json(3), ErrorKind::kUnreadable, "c.json"},
-        Damage{"/format", "noctule-suit", ErrorKind::kUnreadable, "format"},
+        Damage{"/format", "noctule-suit", ErrorKind::kUnreadable, "is not a calibration"},
         Damage{"/version", 2, ErrorKind::kUnreadable, "version"},
         Damage{"/sound/model", "guess", ErrorKind::kUnusable, "model"},
         Damage{"/sound/c_m_per_s", nullptr, ErrorKind::kUnreadable, "c_m_per_s"},

@@ -77,7 +77,7 @@ const double kInfinity = std::numeric_limits<double>::infinity();
 INSTANTIATE_TEST_SUITE_P(
     All, DamagedSuit,
     testing::Values(
-        Damage{"/format", "noctule-actor", ErrorKind::kUnreadable, "format"},
+        Damage{"/format", "noctule-actor", ErrorKind::kUnreadable, "is not a suit"},
         Damage{"/version", 2, ErrorKind::kUnreadable, "version"},
         Damage{"/boards", nullptr, ErrorKind::kUnreadable, "boards"},
         Damage{"/boards", "many", ErrorKind::kUnreadable, "boards"},
