@@ -28,7 +28,7 @@ Error sqliteError(sqlite3* handle, const std::string& name) {
                     "Check the path and the permissions of the file and its folder"};
         case SQLITE_READONLY:
         case SQLITE_PERM:
-            return {ErrorKind::kDisk, name + ": cannot be written" + detail,
+            return {ErrorKind::kDisk, name + ": cannot be written",
                     "Copy the file to a folder where you may write"};
         case SQLITE_FULL:
             return {ErrorKind::kDisk, name + ": the disk is full", "Free some space and try again"};

@@ -5555,10 +5555,6 @@
         <translation>%1: lässt sich nicht bis zum Ende lesen</translation>
     </message>
     <message>
-        <source>%1: cannot be written%2</source>
-        <translation>%1: lässt sich nicht schreiben%2</translation>
-    </message>
-    <message>
         <source>%1: exists already</source>
         <translation>%1: gibt es schon</translation>
     </message>

@@ -10690,6 +10690,16 @@ Drehen, beide Richtungen x3</translation>
         <comment>a take&apos;s file and its size</comment>
         <translation>%1, %2, beschädigt</translation>
     </message>
+    <message>
+        <source>%1, %2, read only</source>
+        <comment>a take&apos;s file and its size</comment>
+        <translation>%1, %2, nur lesbar</translation>
+    </message>
+    <message>
+        <source>%1, read only: changes are not kept</source>
+        <comment>name of the session</comment>
+        <translation>%1, nur lesbar: Änderungen werden nicht behalten</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::StepBar</name>
@@ -10852,6 +10862,14 @@ Drehen, beide Richtungen x3</translation>
     <message>
         <source>Writing the attached motion into %1</source>
         <translation>Die angehängte Bewegung wird in %1 geschrieben</translation>
+    </message>
+    <message>
+        <source>The session can be read but not written</source>
+        <translation>Die Sitzung lässt sich lesen, aber nicht schreiben</translation>
+    </message>
+    <message>
+        <source>Copy its folder to where you may write, and open it there.</source>
+        <translation>Den Ordner dorthin kopieren, wo Sie schreiben dürfen, und ihn dort öffnen.</translation>
     </message>
 </context>
 <context>

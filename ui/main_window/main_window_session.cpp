@@ -196,6 +196,7 @@ void MainWindow::onSessionOpened() {
     }
     const QString folder = QString::fromStdString(session.session().folder.string());
     const SessionMarker::Finding finding = marker_.mark(folder);
+    session.setReadOnly(finding == SessionMarker::Finding::kNoMarker);
     recoverWanted(finding);
     session_notices_->tellMarker(finding);
     recent_.remember(folder);

@@ -108,6 +108,8 @@ QString StatusLine::sessionWords() const {
         const QString file = QFileInfo(studio_.take().path()).fileName(), size = bytesText(take.bytes);
         if (studio_.take().isDamaged())
             return tr("%1, %2, damaged", "a take's file and its size").arg(file, size);
+        if (isReadOnly())
+            return tr("%1, %2, read only", "a take's file and its size").arg(file, size);
         if (take.state == "complete")
             return tr("%1, %2, complete", "a take's file and its size").arg(file, size);
         if (take.state == "recovered")
@@ -115,7 +117,8 @@ QString StatusLine::sessionWords() const {
         return tr("%1, %2, not ended", "a take's file and its size").arg(file, size);
     }
     if (session.isOpen())
-        return tr("%1, all changes are kept", "name of the session")
+        return (isReadOnly() ? tr("%1, read only: changes are not kept", "name of the session")
+                             : tr("%1, all changes are kept", "name of the session"))
             .arg(QString::fromStdString(session.session().name));
     return tr("Noctule %1. Works offline, no account", "version")
         .arg(QString::fromStdString(studio_.parts().software).section(' ', 1));
@@ -143,7 +146,13 @@ Tone StatusLine::tone() const {
             suit.status()->link != LinkState::kLost && suit.phase() != LiveSuit::Phase::kRefused;
         return holds ? Tone::kOk : Tone::kError;
     }
-    return studio_.take().isDamaged() ? Tone::kError : Tone::kOk;
+    return studio_.take().isDamaged() ? Tone::kError : isReadOnly() ? Tone::kWarn : Tone::kOk;
+}
+
+/// Of the session and its takes; one from outside of it is not concerned.
+bool StatusLine::isReadOnly() const {
+    const SessionModel& session = studio_.session();
+    return session.isReadOnly() && (!studio_.take().isOpen() || session.currentTake() >= 0);
 }
 
 void StatusLine::showOpen() {

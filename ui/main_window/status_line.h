@@ -41,6 +41,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    bool isReadOnly() const;
     void say(const QString& sentence);
     void showOpen();
     void showStorage();

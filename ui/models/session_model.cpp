@@ -170,6 +170,7 @@ void SessionModel::leave() {
     session_.reset();
     current_ = -1;
     current_name_.clear();
+    is_read_only_ = false;
     recovering_.clear();
 }
 
@@ -187,6 +188,11 @@ void SessionModel::close() {
         return;
     leave();
     announce();
+}
+
+void SessionModel::setReadOnly(bool is_read_only) {
+    if (std::exchange(is_read_only_, is_read_only) != is_read_only)
+        emit changed();
 }
 
 QString SessionModel::takePath(int take) const {

@@ -36,6 +36,10 @@ public:
     const Session& session() const { return *session_; }
     UndoHistory& undoStack() { return undo_; }
 
+    /// Whether its folder cannot be written, so that no change is kept.
+    bool isReadOnly() const { return is_read_only_; }
+    void setReadOnly(bool is_read_only);
+
     /// Of session().takes[take]'s file.
     QString takePath(int take) const;
     int currentTake() const { return current_; }  ///< index into session().takes, -1: none
@@ -155,6 +159,7 @@ private:
     UndoHistory undo_;
     int current_ = -1;
     std::string current_name_;
+    bool is_read_only_ = false;
     QPointer<Job> opening_;
     std::set<std::string> recovering_;
     std::map<QString, std::weak_ptr<void>> kept_;  ///< by path

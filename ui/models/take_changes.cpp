@@ -78,6 +78,11 @@ TakeChanges::TakeChanges(Jobs& jobs, SessionModel& session, TakeDocument& take, 
     : QObject(parent), jobs_(jobs), session_(session), take_(take) {}
 
 void TakeChanges::push(const QString& what, const TakeChange& change) {
+    if (session_.isReadOnly() && session_.currentTake() >= 0) {
+        emit failed(tr("The session can be read but not written"),
+                    tr("Copy its folder to where you may write, and open it there."));
+        return;
+    }
     session_.undoStack().push(new TakeCommand(*this, what, take_.path(), change, Written::kNotYet));
 }
 

@@ -139,6 +139,21 @@ TEST_F(NoticesTest, ADamagedTakeIsInErrorAndCanBeSaved) {
     EXPECT_TRUE(actions.contains("Save what can be read"));
 }
 
+TEST_F(NoticesTest, ASessionThatCannotBeWrittenIsReadOnly) {
+    openSampleTake();
+    ASSERT_TRUE(waitFor([this] { return studio_->jobs().idle(); }));
+    studio_->session().setReadOnly(true);
+    EXPECT_EQ(window_->statusLine().tone(), Tone::kWarn);
+    EXPECT_TRUE(window_->statusLine().openText().endsWith("read only"));
+    studio_->markers().add(0.5);
+    EXPECT_EQ(told(), QStringList{"The session can be read but not written"});
+    EXPECT_FALSE(studio_->session().undoStack().canUndo());
+    studio_->take().close();
+    EXPECT_TRUE(window_->statusLine().openText().endsWith("read only: changes are not kept"));
+    studio_->session().close();
+    EXPECT_FALSE(studio_->session().isReadOnly());
+}
+
 TEST_F(NoticesTest, OfFilesTheLatestIsTold) {
     emit studio_->failed("one.csv could not be written", "Free some room", About::kFile);
     emit studio_->failed("two.csv could not be written", "Free some room", About::kFile);
