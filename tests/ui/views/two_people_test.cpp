@@ -237,7 +237,9 @@ TEST_F(TwoPeopleTest, ExportWritesAFileOfEach) {
         }
         return files;
     };
+    EXPECT_EQ(page.form().preview(), "pair_120_Ada.bvh\npair_120_Bea.bvh");
     EXPECT_EQ(written(), (std::set<std::string>{"pair_120_Ada.bvh", "pair_120_Bea.bvh"}));
+    EXPECT_EQ(page.form().preview(), "pair_120_Ada_2.bvh\npair_120_Bea_2.bvh");
     EXPECT_EQ(written(), (std::set<std::string>{"pair_120_Ada_2.bvh", "pair_120_Bea_2.bvh"}))
         << "nothing is overwritten";
     EXPECT_TRUE(page.writeButton()->text().contains('2')) << page.writeButton()->text().toStdString();

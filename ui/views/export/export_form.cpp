@@ -375,6 +375,10 @@ void ExportForm::setTakes(const QStringList& chosen) {
     takes_->tick(chosen);
 }
 
+QString ExportForm::preview() const {
+    return preview_->text();
+}
+
 void ExportForm::setPreview(const QString& words, bool is_problem) {
     preview_->setInk(is_problem ? Ink::kError : Ink::kHint);
     preview_->setText(words);

@@ -45,6 +45,7 @@ public:
     QWidget* takesPart() { return takes_part_; }
     /// Under the file name: what will be written, or what is wrong with the name.
     void setPreview(const QString& words, bool is_problem);
+    QString preview() const;
 
     // For those who fill it in, the operator and tests.
     QComboBox *range, *format, *frames, *root, *unit, *names, *body, *size, *camera, *run;

@@ -204,9 +204,7 @@ void ExportPage::refresh() {
     for (Button* button : {write_, again_, form_->try_one_frame})
         button->setDisabledBecause(why_not);
     if (jobs) {
-        QStringList names;
-        for (int i = 0; i < std::min({kMostNames, files, static_cast<int>(jobs->size())}); ++i)
-            names += QFileInfo(QString::fromStdString((*jobs)[static_cast<size_t>(i)].path())).fileName();
+        QStringList names = fileNames(*jobs, kMostNames, performers_);
         const int more = files - names.size();
         if (more > 0)
             names += tr("and %n more", nullptr, more);

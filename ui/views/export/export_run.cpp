@@ -173,6 +173,24 @@ int fileCount(const std::vector<ExportJob>& jobs) {
     return fileCount(jobs, performers);
 }
 
+QStringList fileNames(const std::vector<ExportJob>& jobs, int most, PerformerCounts& performers) {
+    std::vector<ExportJob> first;
+    for (const ExportJob& job : jobs)
+        if (static_cast<int>(first.size()) < most && !std::ranges::count(first, job.path(), &ExportJob::path))
+            first.push_back(job);
+    // Who is in a take is asked of its file, so only where several are.
+    const bool of_several = std::ranges::any_of(
+        first, [&](const ExportJob& job) { return !job.in_one_file && performers.of(job.request) > 1; });
+    if (of_several)
+        if (auto each = oneForEachPerson(first))
+            first = std::move(*each);
+    QStringList names;
+    for (const ExportJob& job : first)
+        names += fileName(job.path());
+    names.removeDuplicates();
+    return names.mid(0, most);
+}
+
 Result<ExportResults> runExport(const std::vector<ExportJob>& of_takes, const JobContext& job) {
     QElapsedTimer clock;
     clock.start();

@@ -43,6 +43,9 @@ private:
 int fileCount(const std::vector<ExportJob>& jobs, PerformerCounts& performers);
 int fileCount(const std::vector<ExportJob>& jobs);
 
+/// The first `most` files that the jobs make, without their folder, as runExport() names them.
+QStringList fileNames(const std::vector<ExportJob>& jobs, int most, PerformerCounts& performers);
+
 /// A file for each person of a take of several, or one in which each is a character. Goes on after a take
 /// that fails; an Error only when cancelled, the folder cannot be made, or several takes with several people
 /// are wanted in one file.
