@@ -6,6 +6,7 @@
 #include <QLayout>
 #include <QScrollBar>
 #include <algorithm>
+#include <utility>
 
 #include "ui/style/theme.h"
 
@@ -17,14 +18,29 @@ ScrollArea::ScrollArea(QWidget* content, QWidget* parent) : QScrollArea(parent) 
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setFocusPolicy(Qt::NoFocus);
     viewport()->setAutoFillBackground(false);
-    connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
-        if (now && widget() && widget()->isAncestorOf(now))
-            ensureWidgetVisible(now, 0, Theme::get().px(12));
-    });
+    connect(qApp, &QApplication::focusChanged, this, &ScrollArea::follow);
     if (content) {
         setWidget(content);
         content->setAutoFillBackground(false);
     }
+}
+
+/// Qt also moves the focus by itself, where a page is shown or what had it goes: nobody looks for it then.
+void ScrollArea::follow(QWidget* before, QWidget* now) {
+    const bool by_itself = is_just_shown_ || (before && !(before->isVisible() && before->isEnabled()));
+    if (now && !by_itself && widget() && widget()->isAncestorOf(now))
+        ensureWidgetVisible(now, 0, Theme::get().px(12));
+}
+
+bool ScrollArea::focusNextPrevChild(bool next) {
+    return QAbstractScrollArea::focusNextPrevChild(next);  // QScrollArea's would follow in every case
+}
+
+void ScrollArea::showEvent(QShowEvent* event) {
+    is_just_shown_ = true;
+    QMetaObject::invokeMethod(
+        this, [this] { is_just_shown_ = false; }, Qt::QueuedConnection);
+    QScrollArea::showEvent(event);
 }
 
 QSize ScrollArea::sizeHint() const {
@@ -66,8 +82,13 @@ void ScrollArea::resizeEvent(QResizeEvent* event) {
 /// Qt never makes the content lower than its texts would be at another width, and scrolls over nothing.
 void ScrollArea::fitContent() {
     const QLayout* layout = widget() ? widget()->layout() : nullptr;
-    if (!layout || !layout->hasHeightForWidth())
+    if (!layout || !layout->hasHeightForWidth()) {
+        // What had wrapped texts may be hidden now; its height is not kept.
+        if (std::exchange(is_fitted_, false))
+            widget()->setMinimumHeight(0);
         return;
+    }
+    is_fitted_ = true;
     const QSize room = maximumViewportSize();
     const int without_bar = widget()->heightForWidth(room.width());
     const int bar = verticalScrollBar()->sizeHint().width();

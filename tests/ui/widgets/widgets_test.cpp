@@ -8,7 +8,9 @@
 #include <QApplication>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSignalSpy>
+#include <QStackedWidget>
 #include <QTest>
 #include <QVBoxLayout>
 #include <cmath>
@@ -239,6 +241,50 @@ TEST_F(WidgetsTest, scrollAreaIsNeverNarrowerThanItsContent) {
     last->setFocus(Qt::TabFocusReason);
     QApplication::processEvents();
     EXPECT_TRUE(area.viewport()->rect().contains(last->mapTo(area.viewport(), last->rect().center())));
+}
+
+TEST_F(WidgetsTest, scrollAreaDoesNotFollowTheFocusThatNobodyMoved) {
+    auto* content = new QWidget;
+    auto* rows = new QVBoxLayout(content);
+    for (int i = 0; i < 40; ++i)
+        rows->addWidget(makeButton(ButtonKind::kOutlined, "A button"));
+    auto* area = new ScrollArea(content);
+    auto* other = makeButton(ButtonKind::kOutlined, "Another page");
+    QStackedWidget pages;
+    pages.addWidget(area);
+    pages.addWidget(other);
+    pages.resize(300, 200);
+    show(pages);
+    content->findChildren<Button*>().last()->setFocus(Qt::TabFocusReason);
+    QApplication::processEvents();
+    area->verticalScrollBar()->setValue(0);
+    pages.setCurrentWidget(other);
+    QApplication::processEvents();
+    pages.setCurrentWidget(area);
+    QApplication::processEvents();
+    EXPECT_EQ(area->verticalScrollBar()->value(), 0) << "the page came back, and its focus with it";
+    area->verticalScrollBar()->setValue(area->verticalScrollBar()->maximum());
+    const int low = area->verticalScrollBar()->value();
+    content->findChildren<Button*>().last()->hide();
+    QApplication::processEvents();
+    EXPECT_GT(area->verticalScrollBar()->value(), low / 2) << "what had the focus went";
+}
+
+TEST_F(WidgetsTest, scrollAreaKeepsNoHeightOfTextsThatAreHidden) {
+    auto* content = new QWidget;
+    auto* column = new QVBoxLayout(content);
+    auto* text = new Label(QString("many words ").repeated(200), TextRole::kBody, Ink::kValue);
+    text->wrapped();
+    column->addWidget(text);
+    column->addWidget(makeButton(ButtonKind::kOutlined, "A button"));
+    ScrollArea area(content);
+    area.resize(200, 200);
+    show(area);
+    ASSERT_GT(area.verticalScrollBar()->maximum(), 0);
+    text->hide();
+    QApplication::processEvents();
+    EXPECT_EQ(area.verticalScrollBar()->maximum(), 0);
+    EXPECT_LE(content->height(), 200);
 }
 
 TEST_F(WidgetsTest, emptyStateOffersItsAction) {
