@@ -2972,6 +2972,18 @@
         <source>Rename %1</source>
         <translation>%1 umbenennen</translation>
     </message>
+    <message>
+        <source>More</source>
+        <translation>Mehr</translation>
+    </message>
+    <message>
+        <source>Forget</source>
+        <translation>Vergessen</translation>
+    </message>
+    <message>
+        <source>More about %1</source>
+        <translation>Mehr zu %1</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::DevicesPanel</name>
@@ -3018,10 +3030,6 @@
     <message>
         <source>not here</source>
         <translation>nicht da</translation>
-    </message>
-    <message>
-        <source>Forget</source>
-        <translation>Vergessen</translation>
     </message>
     <message>
         <source>Try again</source>

@@ -108,6 +108,25 @@ KnownSuit SuitFinder::knownOf(const FoundDevice& device) {
     return suit;
 }
 
+void SuitFinder::sortByAppearance(std::vector<KnownSuit>& suits) {
+    std::vector<std::pair<size_t, KnownSuit>> placed;
+    for (KnownSuit& suit : suits) {
+        const FoundDevice& device = suit.device;
+        // A port that is asked has an address first and a serial number once its box has answered.
+        auto known = device.serial.empty() ? places_.end() : places_.find(device.serial);
+        if (known == places_.end())
+            known = places_.find(device.address);
+        const size_t place = known == places_.end() ? places_.size() : known->second;
+        for (const std::string& key : {device.serial, device.address})
+            if (!key.empty())
+                places_[key] = place;
+        placed.emplace_back(place, std::move(suit));
+    }
+    std::ranges::stable_sort(placed, {}, &std::pair<size_t, KnownSuit>::first);
+    for (size_t i = 0; i < placed.size(); ++i)
+        suits[i] = std::move(placed[i].second);
+}
+
 void SuitFinder::renew() {
     std::vector<KnownSuit> suits;
     std::set<std::string> addresses, serials;
@@ -135,6 +154,7 @@ void SuitFinder::renew() {
         absent.present = false;
         suits.push_back(std::move(absent));
     }
+    sortByAppearance(suits);
     if (suits == suits_)
         return;
     suits_ = std::move(suits);

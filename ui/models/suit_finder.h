@@ -5,8 +5,10 @@
 
 #include <QObject>
 #include <QSettings>
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "devices/discovery/discovery.h"
@@ -34,7 +36,7 @@ public:
     void start(const DiscoveryOptions& options = {});
     bool isLooking() const { return discovery_ != nullptr; }
 
-    /// Those that are here, then those that are remembered.
+    /// In order of appearance, so that none moves because another one goes or comes back.
     const std::vector<KnownSuit>& suits() const { return suits_; }
     /// A box that answers and that no other studio uses, the first of them.
     std::optional<KnownSuit> connectable() const;
@@ -56,6 +58,7 @@ signals:
 private:
     void take(const std::vector<FoundDevice>& found);
     void renew();
+    void sortByAppearance(std::vector<KnownSuit>& suits);
     KnownSuit knownOf(const FoundDevice& device);
     int colourOf(const QString& key);
 
@@ -63,6 +66,7 @@ private:
     DiscoveryOptions options_;
     std::vector<FoundDevice> found_;
     std::vector<KnownSuit> suits_;
+    std::map<std::string, size_t> places_;  ///< in the list, by serial number and by address
     QStringList probed_;
     int round_ = 0;                         ///< what an earlier discovery still tells is void
     std::unique_ptr<Discovery> discovery_;  ///< last: it goes first

@@ -71,6 +71,23 @@ TEST_F(SuitFinderTest, OneThatWasConnectedIsShownWhenItIsAway) {
     EXPECT_TRUE(finder.suits().empty());
 }
 
+TEST_F(SuitFinderTest, NoneMovesBecauseAnotherOneGoes) {
+    Answerer box(testAnnouncement());
+    SuitFinder finder(settings_);
+    finder.start({box.port(), false});
+    ASSERT_TRUE(waitFor([&] { return finder.suits().size() == 1; }));
+    finder.remember("NB-000777");
+    finder.remember("NB-000778");
+    auto other = testAnnouncement("NB-000778");
+    other.tcp_port = 50124;
+    box.announce(other);
+    ASSERT_TRUE(waitFor([&] { return finder.suits().size() == 2 && finder.suits()[1].present; }));
+    finder.lookAgain();
+    ASSERT_TRUE(waitFor([&] { return finder.suits().size() == 2 && finder.suits()[1].present; }));
+    EXPECT_FALSE(finder.suits()[0].present);
+    EXPECT_EQ(finder.suits()[0].device.serial, "NB-000777") << "it came first and stays there";
+}
+
 TEST_F(SuitFinderTest, AnAddressIsAskedAndAWrongOneSaysWhatIsWrong) {
     const noctule::test::TestBox box({});
     SuitFinder finder(settings_);

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <QLineEdit>
+#include <QMenu>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QStandardPaths>
@@ -306,8 +307,11 @@ TEST_F(ConnectPageTest, FoundBoxesAreCardsWithTheirState) {
     studio_->finder().remember("NB-000777");
     box.answers(false);
     ASSERT_TRUE(waitFor([&] { return devices.cards()[0]->words().state == "not here"; }));
-    EXPECT_EQ(devices.cards()[0]->words().action, "Forget");
-    QTest::mouseClick(devices.cards()[0]->button(), Qt::LeftButton);
+    EXPECT_EQ(devices.cards()[0]->words().action, "") << "no click meant for Disconnect forgets a suit";
+    ASSERT_TRUE(devices.cards()[0]->menuButton()->isVisible());
+    QAction* forget = devices.cards()[0]->menuButton()->menu()->actions().first();
+    EXPECT_EQ(forget->text(), "Forget");
+    forget->trigger();
     EXPECT_TRUE(waitFor([&] { return devices.cards().empty(); }));
 }
 

@@ -2,6 +2,7 @@
 #include "ui/views/connect/device_card.h"
 
 #include <QHBoxLayout>
+#include <QMenu>
 #include <QVBoxLayout>
 
 #include "ui/models/suit_finder.h"
@@ -50,12 +51,19 @@ DeviceCard::DeviceCard(QWidget* parent)
       state_(new Label({}, TextRole::kSecondary, Ink::kHint)),
       detail_((new Label({}, TextRole::kSecondary, Ink::kLabel))->wrapped()),
       button_(makeButton(ButtonKind::kText, {})),
-      rename_(new ToolButton("edit", tr("Rename"))) {
+      rename_(new ToolButton("edit", tr("Rename"))),
+      more_(new ToolButton("more", tr("More"))) {
     auto* column = makeColumn(this, {12, 8, 12, 10}, 2);
     head_ = addRow(column, 6);
     head_->addWidget(icon_);
     head_->addWidget(name_, 1);
     head_->addWidget(rename_);
+    head_->addWidget(more_);
+    auto* menu = new QMenu(more_);
+    menu->addAction(tr("Forget"), this, [this] { emit forgotten(words_.serial); });
+    more_->setMenu(menu);
+    more_->setPopupMode(QToolButton::InstantPopup);
+    more_->hide();
     setFocusProxy(rename_);  // where a name that was typed leaves the focus
     column->addWidget(detail_);
     foot_ = addRow(column, 6);
@@ -100,6 +108,8 @@ void DeviceCard::setWords(const DeviceWords& words) {
     foot_->parentWidget()->setVisible(below);
     button_->setVisible(!words.action.isEmpty());
     rename_->setVisible(!words.serial.isEmpty());
+    more_->setVisible(words.can_be_forgotten);
+    more_->setAccessibleName(tr("More about %1").arg(words.name));
     rename_->setAccessibleName(tr("Rename %1").arg(words.name));
     button_->setAccessibleName(words.action + ' ' + words.name);
     setSelected(words.chosen);

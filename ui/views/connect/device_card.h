@@ -25,6 +25,7 @@ struct DeviceWords {
     QString action;  ///< empty: none
     QString serial;  ///< empty: it cannot be named
     bool chosen = false;
+    bool can_be_forgotten = false;  ///< in the menu, where no click meant for the button can meet it
     bool operator==(const DeviceWords&) const = default;
 };
 
@@ -37,10 +38,12 @@ public:
     const DeviceWords& words() const { return words_; }
     Button* button() const { return button_; }
     ToolButton* renameButton() const { return rename_; }
+    ToolButton* menuButton() const { return more_; }
 
 signals:
     void activated();
     void named(const QString& serial, const QString& name);
+    void forgotten(const QString& serial);
 
 private:
     void askForName();
@@ -51,7 +54,7 @@ private:
     Label *state_, *detail_;
     QHBoxLayout *head_, *foot_;
     Button* button_;
-    ToolButton* rename_;
+    ToolButton *rename_, *more_;
 };
 
 }  // namespace noctule::ui

@@ -128,6 +128,8 @@ void DevicesPanel::showDevices() {
             act(suit);
         });
         connect(card, &DeviceCard::named, &capture_.finder(), &SuitFinder::rename);
+        // Later: the card itself may go with it.
+        connect(card, &DeviceCard::forgotten, &capture_.finder(), &SuitFinder::forget, Qt::QueuedConnection);
         cards_.push_back(card);
         list_column_->addWidget(card);
     }
@@ -165,7 +167,7 @@ DeviceWords DevicesPanel::wordsFor(const KnownSuit& suit) const {
         }
     } else if (!suit.present) {
         words.state = tr("not here");
-        words.action = tr("Forget");
+        words.can_be_forgotten = true;
     } else if (device.contact == FoundDevice::Contact::kAsking) {
         words.state = tr("asking");
     } else if (device.contact == FoundDevice::Contact::kSilent) {
@@ -193,8 +195,6 @@ void DevicesPanel::act(const KnownSuit& suit) {
         worn->suit.connectTo(address);
     else if (worn)
         worn->suit.disconnectSuit();
-    else if (!suit.present)
-        capture_.finder().forget(qt(suit.device.serial));
     else if (suit.device.contact == FoundDevice::Contact::kAnswers)
         capture_.suits().add(address);
     else
