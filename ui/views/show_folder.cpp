@@ -4,7 +4,6 @@
 
 #include <QCoreApplication>
 #include <QDir>
-#include <QElapsedTimer>
 #include <QPointer>
 #include <QProcess>
 
@@ -12,9 +11,6 @@
 
 namespace noctule::ui {
 namespace {
-
-/// A file manager that ends later than this was there.
-constexpr int kStarted_ms = 5000;
 
 struct FolderWords {
     Q_DECLARE_TR_FUNCTIONS(noctule::ui::ShowFolder)
@@ -38,8 +34,6 @@ void showFolder(SharedContext& shared, const QString& folder) {
     }
     emit shared.settled(About::kFile);
     auto* opener = new QProcess;
-    QElapsedTimer clock;
-    clock.start();
     const QPointer<SharedContext> told(&shared);
     QObject::connect(opener, &QProcess::errorOccurred, opener, [=](QProcess::ProcessError error) {
         if (error == QProcess::FailedToStart && told)
@@ -48,7 +42,7 @@ void showFolder(SharedContext& shared, const QString& folder) {
     });
     QObject::connect(opener, qOverload<int, QProcess::ExitStatus>(&QProcess::finished), opener,
                      [=](int code) {
-                         if (code != 0 && clock.elapsed() < kStarted_ms && told)
+                         if (code != 0 && told)  // xdg-open tries several, which may take long
                              tellNoManager(*told, folder);
                          opener->deleteLater();
                      });

@@ -187,6 +187,22 @@ TEST_F(ExportPageTest, AnyChangeBringsWriteBackAndReturnOpensNoFolder) {
     EXPECT_EQ(page_->resultsPanel().cardCount(), 3) << "they stay when the page is left";
 }
 
+TEST_F(ExportPageTest, AFileManagerThatFailsLateIsToldToo) {
+    write();
+    QFile opener(outsideFile("xdg-open"));
+    ASSERT_TRUE(opener.open(QFile::WriteOnly));
+    opener.write("#!/bin/sh\nsleep 6\nexit 4\n");
+    opener.close();
+    opener.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+    QStringList told;
+    QObject::connect(studio_.get(), &Studio::failed, [&](const QString& what) { told += what; });
+    const QByteArray path = qgetenv("PATH");
+    qputenv("PATH", outsideFile("").toLocal8Bit() + ":" + path);
+    page_->openFolder();
+    EXPECT_TRUE(waitFor([&] { return told == QStringList{"No file manager could be started"}; }));
+    qputenv("PATH", path);
+}
+
 TEST_F(ExportPageTest, FeetAreOnTheFloorOnlyWhereTheFileHasThemThere) {
     ExportResults results;
     results.outcomes.push_back({"swing_001", outsideFile("swing.bvh").toStdString(), {}, {}, false});
