@@ -5485,11 +5485,11 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
 <context>
     <name>noctule::ui::Notices</name>
     <message numerus="yes">
-        <source>%n more</source>
+        <source>and %n more</source>
         <comment>notices that are not shown</comment>
         <translation>
-            <numerusform>%n weitere</numerusform>
-            <numerusform>%n weitere</numerusform>
+            <numerusform>und %n weitere</numerusform>
+            <numerusform>und %n weitere</numerusform>
         </translation>
     </message>
 </context>

@@ -279,11 +279,11 @@
 <context>
     <name>noctule::ui::Notices</name>
     <message numerus="yes">
-        <source>%n more</source>
+        <source>and %n more</source>
         <comment>notices that are not shown</comment>
         <translation>
-            <numerusform>%n more</numerusform>
-            <numerusform>%n more</numerusform>
+            <numerusform>and %n more</numerusform>
+            <numerusform>and %n more</numerusform>
         </translation>
     </message>
 </context>

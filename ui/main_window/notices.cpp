@@ -6,23 +6,32 @@
 
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
-#include "ui/widgets/label.h"
 #include "ui/widgets/problem_card.h"
 
 namespace noctule::ui {
 namespace {
 
-constexpr size_t kMost = 3;
+constexpr size_t kMost = 2;  // in a window of 1280 x 800 more would push the page out
 
 }  // namespace
 
 Notices::Notices(QWidget* parent) : QWidget(parent), cards_(new QWidget) {
     auto* column = makeColumn(this, {16, 12, 16, 4}, 8);
     makeColumn(cards_, {}, 8);
-    more_ = new Label({}, TextRole::kSecondary, Ink::kHint);
+    more_ = makeButton(ButtonKind::kText, {});
     column->addWidget(cards_);
-    column->addWidget(more_);
+    addRow(column)->addWidget(more_, 0, Qt::AlignLeft);
+    connect(more_, &QPushButton::clicked, this, &Notices::step);
     hide();
+}
+
+/// Those that are shown go behind all others.
+void Notices::step() {
+    std::rotate(shown_.begin(), shown_.begin() + static_cast<int>(std::min(kMost, shown_.size())),
+                shown_.end());
+    for (const Shown& shown : shown_)
+        cards_->layout()->addWidget(shown.card);  // at the end, from where it was
+    arrange();
 }
 
 void Notices::add(const Notice& notice) {
@@ -63,8 +72,8 @@ void Notices::arrange() {
     for (size_t i = 0; i < shown_.size(); ++i)
         shown_[i].card->setVisible(i < kMost);
     const int hidden = static_cast<int>(shown_.size()) - static_cast<int>(kMost);
-    more_->setText(tr("%n more", "notices that are not shown", std::max(0, hidden)));
-    more_->setVisible(hidden > 0);
+    more_->setText(tr("and %n more", "notices that are not shown", std::max(0, hidden)));
+    more_->parentWidget()->setVisible(hidden > 0);
     setVisible(!shown_.empty());
 }
 

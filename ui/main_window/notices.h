@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What failed or wants a decision, as cards above the page: newest first, three at a time, each with what is
-// safe. The same notice is not shown twice.
+// What failed or wants a decision, as cards above the page: newest first, two at a time, each with what is
+// safe; a button steps to the others. The same notice is not shown twice.
 #pragma once
 
 #include <QWidget>
@@ -11,7 +11,7 @@
 
 namespace noctule::ui {
 
-class Label;
+class Button;
 class ProblemCard;
 
 struct Notice {
@@ -32,17 +32,19 @@ public:
     void remove(const QString& topic);
     int count() const { return static_cast<int>(shown_.size()); }
     QStringList titles() const;
+    Button* moreButton() const { return more_; }
 
 private:
     void arrange();
+    void step();
 
     struct Shown {
         QString topic;
         ProblemCard* card;
     };
-    std::vector<Shown> shown_;  ///< newest first
+    std::vector<Shown> shown_;  ///< newest first, unless stepped on
     QWidget* cards_;
-    Label* more_;
+    Button* more_;
 };
 
 }  // namespace noctule::ui

@@ -154,6 +154,29 @@ TEST_F(NoticesTest, ASessionThatCannotBeWrittenIsReadOnly) {
     EXPECT_FALSE(studio_->session().isReadOnly());
 }
 
+TEST_F(NoticesTest, TwoAreShownAndAButtonStepsToTheOthers) {
+    for (const char* what : {"One", "Two", "Three"})
+        emit studio_->failed(what, "Do something", About::kSession);
+    const auto shown = [this] {
+        QStringList titles;
+        for (const auto* card : window_->notices().findChildren<ProblemCard*>())
+            if (card->isVisible())
+                titles.append(card->title());
+        titles.sort();
+        return titles;
+    };
+    EXPECT_EQ(shown(), (QStringList{"Three", "Two"}));
+    Button* more = window_->notices().moreButton();
+    ASSERT_TRUE(more->isVisible());
+    EXPECT_EQ(more->text(), "and 1 more");
+    QTest::mouseClick(more, Qt::LeftButton);
+    EXPECT_EQ(shown(), (QStringList{"One", "Three"}));
+    EXPECT_EQ(told().first(), "One");
+    window_->notices().remove("One");
+    EXPECT_EQ(shown(), (QStringList{"Three", "Two"}));
+    EXPECT_FALSE(more->isVisible());
+}
+
 TEST_F(NoticesTest, OfFilesTheLatestIsTold) {
     emit studio_->failed("one.csv could not be written", "Free some room", About::kFile);
     emit studio_->failed("two.csv could not be written", "Free some room", About::kFile);

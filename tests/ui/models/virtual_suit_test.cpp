@@ -7,6 +7,7 @@
 
 #include <QSettings>
 #include <QSignalSpy>
+#include <algorithm>
 
 #include "tests/support/take_files.h"
 #include "tests/ui/support/wait.h"
@@ -87,7 +88,11 @@ TEST_F(VirtualSuitTest, ACrashIsToldInWords) {
     ASSERT_GE(failed.count(), 1);
     EXPECT_TRUE(failed[0][0].toString().contains("virtual suit"));
     EXPECT_FALSE(failed[0][1].toString().isEmpty());
+    QSignalSpy settled(studio_.get(), &Studio::settled);
     EXPECT_TRUE(connectIt()) << "and starts again";
+    EXPECT_TRUE(std::ranges::any_of(settled, [](const QList<QVariant>& about) {
+        return about[0].value<About>() == About::kCapture;
+    })) << "what was told of the crash is over";
 }
 
 TEST_F(VirtualSuitTest, AProgramThatIsNotThereIsToldInWords) {
