@@ -19,6 +19,8 @@ public:
     std::optional<T> keep(Result<T> result) {
         if (result)
             return std::move(*result);
+        if (result.error().is_damage && !damage_)
+            damage_ = result.error();
         add(result.error().text() + ".");
         return std::nullopt;
     }
@@ -26,10 +28,13 @@ public:
         if (std::ranges::find(sentences_, sentence) == sentences_.end())
             sentences_.push_back(sentence);
     }
+    /// The first of them that is Error::is_damage.
+    const std::optional<Error>& damage() const { return damage_; }
     std::vector<std::string> sentences() && { return std::move(sentences_); }
 
 private:
     std::vector<std::string> sentences_;
+    std::optional<Error> damage_;
 };
 
 }  // namespace noctule

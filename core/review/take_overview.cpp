@@ -32,6 +32,7 @@ public:
         for (const SkippedRows& skipped : take_.skippedRows())
             problems_.add(std::to_string(skipped.count) + " rows of " + skipped.table +
                           " could not be used, first " + skipped.first + ".");
+        view_.damage = problems_.damage();
         view_.problems = std::move(problems_).sentences();
         return std::move(view_);
     }

@@ -86,6 +86,7 @@ struct TakeOverview {
     bool contacts_edited = false;  ///< by an operator: they hold for all runs
     std::string reference_kind;
     std::vector<std::string> problems;  ///< whole sentences
+    std::optional<Error> damage;        ///< a part could not be read since the database is torn
 };
 Result<TakeOverview> overviewTake(const TakeView& view, const JobContext& job);
 

@@ -165,6 +165,8 @@ void TakeDocument::accept(TakeOverview overview, bool show_newest) {
     forgetUnshown();
     emit opened();
     emit runsChanged();
+    if (overview_ && overview_->damage && !damaged_)
+        noteDamage(path_, *overview_->damage);
 }
 
 void TakeDocument::refuse(const Error& error) {

@@ -180,6 +180,14 @@ TEST_F(TakeDocumentTest, APartThatIsTornMakesTheTakeDamaged) {
     EXPECT_FALSE(document_.isDamaged());
 }
 
+TEST_F(TakeDocumentTest, DamageIsFoundWhileTheTakeIsOpened) {
+    noctule::test::damageRowsOf(path(), "reference");
+    QSignalSpy torn(&document_, &TakeDocument::torn);
+    ASSERT_TRUE(openAndWait());
+    EXPECT_TRUE(document_.isDamaged());
+    EXPECT_EQ(torn.count(), 1);
+}
+
 TEST_F(TakeDocumentTest, DamageOfAnotherTakeIsToldOnly) {
     ASSERT_TRUE(openAndWait());
     QSignalSpy torn(&document_, &TakeDocument::torn);
