@@ -41,23 +41,20 @@ void cover(Covered& covered, const ReportPair& pair, double begin_s, double hold
     }
 }
 
-/// Finds the time after the rest that parts the take into a backed and an unbacked half most clearly.
-void findLoss(const Covered& covered, const ReportTake& take, JointSupport& support) {
-    const auto begin = static_cast<size_t>(std::max(0.0, take.rest_s - take.begin_s) / kStep_s);
+/// Finds the time that parts the take into a backed and an unbacked half most clearly.
+void findLoss(const Covered& covered, double begin_s, JointSupport& support) {
     const auto least = static_cast<size_t>(kLeastHalf_s / kStep_s);
-    if (covered.size() < begin + 2 * least)
-        return;
-    const auto total = std::count(covered.begin() + static_cast<std::ptrdiff_t>(begin), covered.end(), true);
+    const auto total = std::count(covered.begin(), covered.end(), true);
     int64_t before = 0;
-    for (size_t i = begin; i + least <= covered.size(); before += covered[i++]) {
-        if (i < begin + least)
+    for (size_t i = 0; i + least <= covered.size(); before += covered[i++]) {
+        if (i < least)
             continue;
-        const double share = static_cast<double>(before) / static_cast<double>(i - begin);
+        const double share = static_cast<double>(before) / static_cast<double>(i);
         const double rest = static_cast<double>(total - before) / static_cast<double>(covered.size() - i);
         if (share < kBackedBefore || rest > kBackedAfter || share - rest <= support.lost_share)
             continue;
         support.lost_share = share - rest;
-        support.lost_from_s = take.begin_s + static_cast<double>(i) * kStep_s;
+        support.lost_from_s = begin_s + static_cast<double>(i) * kStep_s;
     }
 }
 
@@ -73,14 +70,15 @@ std::vector<JointSupport> jointSupport(const Skeleton& skeleton, const Suit& sui
                                        const std::vector<double>& board_share, const ReportTake& take,
                                        double hold_s) {
     require(board_share.size() == suit.boards.size(), "every board has a share");
-    const auto steps = static_cast<size_t>(std::max(0.0, take.duration_s) / kStep_s);
+    const double begin_s = std::max(take.begin_s, take.rest_s);
+    const auto steps = static_cast<size_t>(std::max(0.0, take.afterRest_s()) / kStep_s);
     std::vector<Covered> covered(skeleton.joints().size(), Covered(steps));
     for (const ReportPair& pair : pairs) {
         const Board& board = suit.boards.at(static_cast<size_t>(pair.board));
         const Source& source = suit.sources.at(static_cast<size_t>(pair.source));
         for (const int j :
              jointsBetween(skeleton, skeleton.find(board.segment), skeleton.find(source.segment)))
-            cover(covered[static_cast<size_t>(j)], pair, take.begin_s, hold_s);
+            cover(covered[static_cast<size_t>(j)], pair, begin_s, hold_s);
     }
     std::vector<JointSupport> support;
     for (int j = 1; j < skeleton.size(); ++j) {
@@ -92,7 +90,7 @@ std::vector<JointSupport> jointSupport(const Skeleton& skeleton, const Suit& sui
                 readings = std::max(readings, board_share[b]);
         const double ranges = shareOf(covered[static_cast<size_t>(j)]);
         support.push_back({skeleton.joint(j).name, ranges, readings * (1 - ranges), {}, 0});
-        findLoss(covered[static_cast<size_t>(j)], take, support.back());
+        findLoss(covered[static_cast<size_t>(j)], begin_s, support.back());
     }
     return support;
 }

@@ -11,8 +11,9 @@
 namespace noctule {
 
 /// Of every joint with freedom, the root left out. `pairs` index the suit's sources and boards, as do
-/// `board_share` (share of frames with a reading, 0..1). What is before the end of the take's rest does not
-/// count for the loss. A range counts for `hold_s` after its pulse: three rounds of eight sources by default.
+/// `board_share` (share of frames with a reading, 0..1). Nothing before the end of the take's rest counts: no
+/// range is used until then. A range counts for `hold_s` after its pulse: three rounds of eight sources by
+/// default.
 std::vector<JointSupport> jointSupport(const Skeleton& skeleton, const Suit& suit,
                                        const std::vector<ReportPair>& pairs,
                                        const std::vector<double>& board_share, const ReportTake& take,

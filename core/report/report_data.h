@@ -93,7 +93,7 @@ struct ReportPair {
     std::vector<PulseAtBoard> pulses;  ///< every pulse of the source, in order of time
 };
 
-/// How one joint's angle was known: share of the frames, 0..1. See joint_support.h.
+/// How one joint's angle was known: share of the frames after the rest, 0..1. See joint_support.h.
 struct JointSupport {
     std::string joint;
     double ranges = 0;   ///< a used range constrained it a moment ago

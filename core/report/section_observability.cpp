@@ -95,7 +95,8 @@ std::string observabilitySection(const ReportData& data) {
     return html::section(
         "observability", "What was observable",
         "A joint is backed by ranges in a frame when, a moment before, a range in use lay across "
-        "it. Otherwise it goes on by its boards' inertia, and without these by the model.",
+        "it. Otherwise it goes on by its boards' inertia, and without these by the model. The rest pose at "
+        "the beginning does not count.",
         body);
 }
 

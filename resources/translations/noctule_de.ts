@@ -8527,8 +8527,8 @@ Median; gut: unter %1</translation>
         <translation>Entfernungen stützten die Gelenke nur %1 der Zeit</translation>
     </message>
     <message>
-        <source>Look at the pairs below for sources or boards that were not heard.</source>
-        <translation>Unten bei den Paaren nach Quellen oder Platinen sehen, die nicht zu hören waren.</translation>
+        <source>Look at the pairs for sources or boards that were not heard.</source>
+        <translation>Bei den Paaren nach Quellen oder Platinen sehen, die nicht zu hören waren.</translation>
     </message>
     <message>
         <source>This take has no calibration</source>

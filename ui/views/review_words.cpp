@@ -81,7 +81,7 @@ ProblemWords supportOfAll(const TakeVerdict& verdict, const TakeOverview& overvi
         words.title =
             Words::tr("Ranges backed the joints only %1 of the time").arg(percentText(verdict.backed_share));
         words.text =
-            drift + ' ' + Words::tr("Look at the pairs below for sources or boards that were not heard.");
+            drift + ' ' + Words::tr("Look at the pairs for sources or boards that were not heard.");
     }
     return words;
 }

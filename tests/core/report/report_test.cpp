@@ -334,6 +334,33 @@ TEST(JointSupport, ARangeBacksTheJointsBetweenItsEnds) {
     EXPECT_NEAR(of("LeftArm").lost_from_s.value_or(0), 3 + 5.1, 0.1);
 }
 
+TEST(JointSupport, TheRestPoseAtTheBeginningDoesNotCount) {
+    Suit suit;
+    suit.boards = {{"l_hand", "", "LeftHand"}};
+    suit.sources = {{"s1", "", "Chest"}};
+    ReportPair pair{0, 0, {}};
+    for (int i = 0; i < 75; ++i)  // no range is used while the rest pose is measured
+        pair.pulses.push_back(
+            {0.1f * static_cast<float>(i), i < 52 ? PulseFate::kRejected : PulseFate::kUsed, 1, 1, 0});
+    ReportTake take;
+    take.duration_s = 7.5;
+    take.rest_s = 5.2;
+    const auto shareOfHand = [&] {
+        const auto support = jointSupport(defaultActor().skeleton, suit, {pair}, {1.0}, take);
+        return std::ranges::find(support, "LeftHand", &JointSupport::joint)->ranges;
+    };
+    EXPECT_NEAR(shareOfHand(), 1, 0.06);
+
+    take.begin_s = 3;  // another box began first; the rest is on the take's clock
+    take.rest_s += 3;
+    for (PulseAtBoard& pulse : pair.pulses)
+        pulse.time_s += 3;
+    EXPECT_NEAR(shareOfHand(), 1, 0.06);
+
+    take.rest_s = take.end_s() + 1;
+    EXPECT_EQ(shareOfHand(), 0);
+}
+
 TEST(SvgPlot, DecimationKeepsExtremesAndBreaksAtHoles) {
     std::vector<double> time_s, values;
     for (int i = 0; i < 100000; ++i) {
