@@ -4629,6 +4629,11 @@
         <source>%1 of %2 good now</source>
         <translation>%1 von %2 jetzt gut</translation>
     </message>
+    <message>
+        <source>Lost since %1.</source>
+        <comment>a time of the take, or of the day</comment>
+        <translation>Verloren seit %1.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::LivePairs</name>

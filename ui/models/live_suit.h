@@ -65,6 +65,8 @@ public:
 
     /// Never null; of kNone an empty one.
     std::shared_ptr<const SessionStatus> status() const;
+    /// The link is broken: frame() is the last one before.
+    bool isLost() const { return status()->link == LinkState::kLost; }
     /// Of the driver box; empty before it has told it.
     QString serial() const;
     /// The newest live frame; null without a stream or when nothing is processed. Its poses are true only

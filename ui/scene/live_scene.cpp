@@ -36,9 +36,10 @@ void LiveScene::setCompany(int performer, std::vector<LiveCompanion> others) {
 }
 
 void LiveScene::addOther(ComposedScene& composed, const LiveCompanion& other, size_t index,
-                         ReviewContext& review, const SceneLayers& layers, const SceneColors& colors) {
+                         ReviewContext& review, const SceneLayers& layers, const SceneColors& in_view) {
     if (!hasPose(other.wearer, other.frame))
         return;
+    const SceneColors colors = other.is_lost ? in_view.faded() : in_view;
     const Skeleton& skeleton = other.wearer.actor.skeleton;
     const Pose pose = inRow(*other.frame->pose->pose, other.performer);
     const BodyPlaces places = placeBody(skeleton, pose, other.wearer.suit, &*other.wearer.calibration);
@@ -58,6 +59,8 @@ void LiveScene::addPairs(ComposedScene& composed) const {
     const int sources = static_cast<int>(composed.places.sources.size());
     const int boards = static_cast<int>(composed.places.boards.size());
     composed.pair_count = sources * boards;
+    if (is_lost_)
+        return;
     const auto oldest = frame_->sample - static_cast<int64_t>(kHeardFor_s * wearer_.sample_rate_hz);
     for (const std::optional<RangeMeasurement>& range : frame_->ranges)
         if (range && range->pulse_sample >= oldest && range->source < sources && range->board < boards)
@@ -65,14 +68,15 @@ void LiveScene::addPairs(ComposedScene& composed) const {
 }
 
 ComposedScene LiveScene::compose(ReviewContext& review, const SceneLayers& layers) {
-    const SceneColors colors = SceneColors::of(Theme::get());
+    const SceneColors in_view = SceneColors::of(Theme::get());
+    const SceneColors colors = is_lost_ ? in_view.faded() : in_view;
     ComposedScene composed;
     Scene& scene = composed.scene;
     const bool has_pose = hasPose(wearer_, frame_);
     const Pose pose = has_pose ? inRow(*frame_->pose->pose, performer_) : Pose{};
-    addRoom(scene, colors, layers, has_pose ? pose.p_world_root : Vector3d::Zero());
+    addRoom(scene, in_view, layers, has_pose ? pose.p_world_root : Vector3d::Zero());
     for (size_t i = 0; i < others_.size(); ++i)
-        addOther(composed, others_[i], i, review, layers, colors);
+        addOther(composed, others_[i], i, review, layers, in_view);
     if (!has_pose)
         return composed;
     const Skeleton& skeleton = wearer_.actor.skeleton;

@@ -25,7 +25,8 @@ struct LiveWearer {
 struct LiveCompanion {
     LiveWearer wearer;
     std::shared_ptr<const LiveFrame> frame;
-    int performer = 0;  ///< 0 for A
+    int performer = 0;     ///< 0 for A
+    bool is_lost = false;  ///< the frame is the last one before its link broke
 };
 
 class LiveScene {
@@ -38,7 +39,11 @@ public:
     bool isInCompany() const { return !others_.empty(); }
     void setWearer(LiveWearer wearer) { wearer_ = std::move(wearer); }
     const LiveWearer& wearer() const { return wearer_; }
-    void setFrame(std::shared_ptr<const LiveFrame> frame) { frame_ = std::move(frame); }
+    /// Lost: the frame is the last one before the link broke. Its body is faded and hears nothing.
+    void setFrame(std::shared_ptr<const LiveFrame> frame, bool is_lost) {
+        frame_ = std::move(frame);
+        is_lost_ = is_lost;
+    }
     const std::shared_ptr<const LiveFrame>& frame() const { return frame_; }
 
     ComposedScene compose(ReviewContext& review, const SceneLayers& layers);
@@ -46,10 +51,11 @@ public:
 private:
     void addPairs(ComposedScene& composed) const;
     void addOther(ComposedScene& composed, const LiveCompanion& other, size_t index, ReviewContext& review,
-                  const SceneLayers& layers, const SceneColors& colors);
+                  const SceneLayers& layers, const SceneColors& in_view);
 
     LiveWearer wearer_;
     std::shared_ptr<const LiveFrame> frame_;
+    bool is_lost_ = false;
     FittedBody body_;
     int performer_ = 0;
     std::vector<LiveCompanion> others_;

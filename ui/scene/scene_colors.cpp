@@ -45,4 +45,14 @@ SceneColors SceneColors::of(const Theme& theme) {
     return colors;
 }
 
+SceneColors SceneColors::faded() const {
+    constexpr float kLeft = 0.35F;
+    SceneColors colors = *this;
+    colors.body_opacity *= kLeft;
+    for (Rgba* color : {&colors.bone, &colors.joint, &colors.shadow, &colors.board_fill, &colors.board_edge,
+                        &colors.source_fill, &colors.source_edge})
+        color->a *= kLeft;
+    return colors;
+}
+
 }  // namespace noctule::ui

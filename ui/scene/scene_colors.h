@@ -17,6 +17,8 @@ struct SceneColors {
     float body_opacity = 1;
 
     static SceneColors of(const Theme& theme);
+    /// Of a body that is no longer followed.
+    SceneColors faded() const;
 };
 
 }  // namespace noctule::ui

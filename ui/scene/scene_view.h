@@ -56,8 +56,8 @@ public:
     void setLive(LiveWearer wearer);
     /// Of a live suit: who else is there, and its own place among them.
     void setCompany(int performer, std::vector<LiveCompanion> others);
-    /// Null: nothing comes.
-    void showFrame(std::shared_ptr<const LiveFrame> frame);
+    /// Null: nothing comes. Lost: its link broke after this frame.
+    void showFrame(std::shared_ptr<const LiveFrame> frame, bool is_lost = false);
     /// From showFrame() to the picture on the screen.
     const LatencyHistogram& frameDelays() const;
 

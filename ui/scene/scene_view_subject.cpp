@@ -84,7 +84,7 @@ void SceneView::setCompany(int performer, std::vector<LiveCompanion> others) {
         parts_->framed.clear();
 }
 
-void SceneView::showFrame(std::shared_ptr<const LiveFrame> frame) {
+void SceneView::showFrame(std::shared_ptr<const LiveFrame> frame, bool is_lost) {
     if (!parts_->live || !parts_->canvas)
         return;
     if (frame)
@@ -92,7 +92,7 @@ void SceneView::showFrame(std::shared_ptr<const LiveFrame> frame) {
     const auto& before = parts_->live->frame();
     if (frame && before && frame->sample < before->sample && parts_->untouched)
         parts_->framed.clear();  // another stream: the body begins where it began
-    parts_->live->setFrame(std::move(frame));
+    parts_->live->setFrame(std::move(frame), is_lost);
     parts_->canvas->refresh(true);
 }
 

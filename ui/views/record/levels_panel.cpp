@@ -7,6 +7,7 @@
 #include "ui/plots/pairs_heard.h"
 #include "ui/scene/dressed_body.h"
 #include "ui/style/theme.h"
+#include "ui/style/words.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/divider.h"
 #include "ui/widgets/elided_label.h"
@@ -35,6 +36,7 @@ LevelsPanel::LevelsPanel(Studio& studio, QWidget* parent)
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
     studio.suits().follow(&LiveSuit::frameChanged, this, &LevelsPanel::take);
     studio.suits().follow(&LiveSuit::phaseChanged, this, &LevelsPanel::startAnew);
+    studio.suits().follow(&LiveSuit::statusChanged, this, &LevelsPanel::followLink);
     connect(meters_, &LevelMeters::chosen, this,
             [this](int board) { studio_.selection().setPair(studio_.selection().source(), board); });
     connect(&studio.selection(), &Selection::pairChanged, this,
@@ -72,10 +74,31 @@ void LevelsPanel::startAnew() {
     good_->setText({});
 }
 
+/// What was heard last says nothing once the link is broken.
+void LevelsPanel::followLink() {
+    const SuitInUse& worn = studio_.suits().current();
+    if (!worn.suit.isLost())
+        return;
+    const bool takes = worn.suit.phase() == LiveSuit::Phase::kRecording;
+    const QString since = takes ? timeText(worn.suit.recordedSeconds(), 0)
+                                : worn.check.lostSince().toString(QStringLiteral("HH:mm:ss"));
+    const QString words =
+        tr("%1 of %2 good now").arg(0).arg(static_cast<int>(needles_.size()) * sources_.size()) +
+        QStringLiteral(". ") + tr("Lost since %1.", "a time of the take, or of the day").arg(since);
+    if (good_->text() == words)
+        return;
+    startAnew();
+    good_->setText(words);
+}
+
+QString LevelsPanel::pairsInWords() const {
+    return good_->text();
+}
+
 void LevelsPanel::take() {
     const auto frame = studio_.suit().frame();
     const auto hello = studio_.suit().status()->hello;
-    if (!frame || !hello)
+    if (!frame || !hello || studio_.suit().isLost())
         return;
     const size_t boards = frame->health.boards.size();
     if (boards != needles_.size() || frame->sample < last_sample_)
@@ -99,7 +122,7 @@ void LevelsPanel::take() {
 
 void LevelsPanel::show() {
     const auto frame = studio_.suit().frame();
-    if (!frame || frame->health.boards.size() != needles_.size())
+    if (!frame || frame->health.boards.size() != needles_.size() || studio_.suit().isLost())
         return;
     std::vector<BoardLevel> levels(needles_.size());
     for (size_t board = 0; board < levels.size(); ++board) {

@@ -25,6 +25,8 @@ public:
 
     LevelMeters& meters() { return *meters_; }
     PairsHeard& heard() { return *heard_; }
+    /// "49 of 144 good now"
+    QString pairsInWords() const;
 
 private:
     struct Needles {
@@ -32,6 +34,7 @@ private:
     };
     QWidget* makeHalf(const QString& title, const QString& hint, QWidget* content, QWidget* foot);
     void startAnew();
+    void followLink();
     void take();
     void show();
 

@@ -2,6 +2,7 @@
 #include "ui/views/record/record_center.h"
 
 #include <QVBoxLayout>
+#include <algorithm>
 #include <utility>
 
 #include "ui/scene/scene_view.h"
@@ -48,6 +49,9 @@ RecordCenter::RecordCenter(Studio& studio, RecordRun& run, QWidget* parent)
     keepMaximumHeight(*levels_, kMostLevels);
     studio.suits().follow(&LiveSuit::wearingChanged, this, &RecordCenter::wear);
     studio.suits().follow(&LiveSuit::frameChanged, this, &RecordCenter::showFrame);
+    studio.suits().forEach(this, [this](SuitInUse& worn) {
+        connect(&worn.suit, &LiveSuit::statusChanged, this, &RecordCenter::followLinks);
+    });
     connect(&run, &RecordRun::changed, this, &RecordCenter::showTake);
     connect(&run, &RecordRun::ticked, this, &RecordCenter::showTime);
     connect(&run, &RecordRun::refused, this, &RecordCenter::showRefusal);
@@ -63,6 +67,15 @@ void RecordCenter::wear() {
     scene_->setLive(wearerOf(studio_.suit()));
 }
 
+/// No frame tells that no more of them come.
+void RecordCenter::followLinks() {
+    const auto connected = studio_.suits().connected();
+    const auto lost = static_cast<int>(
+        std::ranges::count_if(connected, [](const SuitInUse* worn) { return worn->suit.isLost(); }));
+    if (std::exchange(lost_suits_, lost) != lost)
+        showFrame();
+}
+
 void RecordCenter::showFrame() {
     if (!isVisible())
         return;
@@ -71,9 +84,10 @@ void RecordCenter::showFrame() {
     if (suits.areSeveral())
         for (const SuitInUse* worn : suits.connected())
             if (worn != &suits.current())
-                others.push_back({wearerOf(worn->suit), worn->suit.frame(), suits.letterOf(*worn)});
+                others.push_back(
+                    {wearerOf(worn->suit), worn->suit.frame(), suits.letterOf(*worn), worn->suit.isLost()});
     scene_->setCompany(suits.letterOf(suits.current()), std::move(others));
-    scene_->showFrame(studio_.suit().frame());
+    scene_->showFrame(studio_.suit().frame(), studio_.suit().isLost());
 }
 
 void RecordCenter::showTake() {

@@ -35,6 +35,7 @@ protected:
 
 private:
     void wear();
+    void followLinks();
     void showFrame();
     void showTake();
     void showTime();
@@ -52,6 +53,7 @@ private:
     ProblemCard* refusal_ = nullptr;
     QString refused_text_;  ///< that it tells
     bool offers_record_anyway_ = false;
+    int lost_suits_ = 0;  ///< as drawn last
 };
 
 }  // namespace noctule::ui
