@@ -28,6 +28,8 @@ struct ReportTake {
     double end_s() const { return begin_s + duration_s; }
     /// From the end of the rest pose, without one from the beginning, to the end.
     double afterRest_s() const { return end_s() - std::max(begin_s, rest_s); }
+    /// Its box was lost while the rest pose was held: there is no motion.
+    bool endsInRest() const { return rest_s > begin_s && afterRest_s() <= 0; }
     double sample_rate_hz = 0;
     std::string reference_kind;  ///< "simulated", "optical", ...; empty: none
     std::string reference_name;  ///< file, when it has one

@@ -30,6 +30,10 @@ public:
             charge(VerdictReason::kNoPoses, Grade::kNotUsable);
             return sorted();
         }
+        if (report_.take.endsInRest()) {
+            charge(VerdictReason::kEndsInRest, Grade::kNotUsable);
+            return sorted();
+        }
         judgeError();
         listJoints();
         judgeCalibration();

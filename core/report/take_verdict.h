@@ -44,6 +44,7 @@ enum class VerdictReason {
     kBoardLost,      ///< a board lost frames
     kHole,           ///< a hole without signal
     kNoPoses,        ///< the run shows nothing
+    kEndsInRest,     ///< the recording ended before the rest pose did; stands for all that follows from it
     kPeopleApart,    ///< nothing measured where several performers stand to each other
     kNotCalibrated,  ///< what the run was made with lacks values; stands for all that follows from it
 };

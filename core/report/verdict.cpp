@@ -86,6 +86,7 @@ std::string reasonSentence(VerdictReason reason, const ReportData& data, const R
         case VerdictReason::kMeanError:
         case VerdictReason::kBoardLost:
         case VerdictReason::kNoPoses:
+        case VerdictReason::kEndsInRest:
         case VerdictReason::kNotCalibrated:
             break;
     }
@@ -148,6 +149,12 @@ Verdict judge(const ReportData& data) {
         return {Grade::kUnknown, "Not processed yet. The take holds no run to judge.", data.warnings};
     const TakeVerdict judged = judgeTake(data);
     Verdict verdict{judged.grade, {}, {}};
+    if (data.take.endsInRest()) {
+        verdict.headline =
+            gradeName(verdict.grade) + ". The recording ends before the rest pose does. There is no motion.";
+        verdict.reasons = data.warnings;
+        return verdict;
+    }
     const bool is_uncalibrated =
         judged.grade == Grade::kNotUsable && judged.reasons.front() == VerdictReason::kNotCalibrated;
     if (run->comparison)

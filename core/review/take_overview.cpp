@@ -88,12 +88,22 @@ private:
                 if (subject.room != room)
                     continue;
                 TakeParty party{subject, problems_.keep(take_.suit(subject.suit())).value_or(Suit{}), {}};
+                party.lost_in_rest_s = lostInRest_s(subject.suit());
                 party.calibration = nominalCalibration(party.suit);
                 if (std::ranges::find(rows, subject.suit(), &DocumentRow::suit) != rows.end())
                     if (auto stored = problems_.keep(take_.calibrationInForce(subject.suit())))
                         party.calibration = std::move(stored->value);
                 view_.parties.push_back(std::move(party));
             }
+    }
+
+    std::optional<double> lostInRest_s(int suit) {
+        const auto rest = problems_.keep(take_.restInterval(suit));
+        const auto samples = problems_.keep(take_.sampleCount(suit));
+        const auto duration_s = problems_.keep(take_.duration_s(suit));
+        if (!rest || !*rest || !samples || !duration_s || *samples > (*rest)->last)
+            return std::nullopt;
+        return take_.suitClock(suit).takeTime_s(*duration_s);
     }
 
     void readMarks() {
@@ -159,6 +169,12 @@ private:
 };
 
 }  // namespace
+
+const TakeParty* TakeOverview::partyOf(int of_suit) const {
+    const auto found = std::ranges::find_if(
+        parties, [&](const TakeParty& party) { return party.subject.suit() == of_suit; });
+    return found == parties.end() ? nullptr : &*found;
+}
 
 Result<TakeOverview> overviewTake(const TakeView& view, const JobContext& job) {
     const auto viewed = ViewedTake::open(view);

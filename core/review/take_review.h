@@ -39,6 +39,8 @@ struct TakeParty {
     TakeSubject subject;
     Suit suit;
     Calibration calibration;  ///< in force; nominal when the take holds none
+    /// Its box was lost then, before the rest pose ended: no run has a motion of it.
+    std::optional<double> lost_in_rest_s{};
 };
 
 /// A pose run as listed; its motion is loaded by loadPoses().
@@ -87,6 +89,9 @@ struct TakeOverview {
     std::string reference_kind;
     std::vector<std::string> problems;  ///< whole sentences
     std::optional<Error> damage;        ///< a part could not be read since the database is torn
+
+    /// Null: no party wears that suit.
+    const TakeParty* partyOf(int of_suit) const;
 };
 Result<TakeOverview> overviewTake(const TakeView& view, const JobContext& job);
 

@@ -202,6 +202,8 @@ private:
     std::optional<int64_t> runNumber(int index) const;
     const ReviewRun* shown() const;
     std::optional<int64_t> runOf(Whose whose) const;
+    /// False: the box was lost in the rest pose, no run has a motion of it, and nothing is to be loaded.
+    bool hasMotion(int suit) const;
     std::shared_ptr<const TimedMotion> motion(std::optional<int64_t> run);
     std::shared_ptr<const Ranges> rangesWithSummaries();
     std::shared_ptr<const Judged> judged();

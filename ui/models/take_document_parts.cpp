@@ -38,8 +38,13 @@ std::optional<int64_t> TakeDocument::runOf(Whose whose) const {
     return runNumber(whose == Whose::kShown ? shown_ : compared_);
 }
 
+bool TakeDocument::hasMotion(int suit) const {
+    const TakeParty* party = overview_->partyOf(suit);
+    return !party || !party->lost_in_rest_s;
+}
+
 std::shared_ptr<const TimedMotion> TakeDocument::motion(std::optional<int64_t> run) {
-    if (!run)
+    if (!run || (*run != kReference && !hasMotion(overview_->suit_in_view)))
         return nullptr;
     const auto number = *run == kReference ? std::nullopt : run;
     return ask<int64_t, TimedMotion>(
@@ -54,6 +59,8 @@ std::shared_ptr<const TimedMotion> TakeDocument::motionOf(int subject) {
     if (subject == this->subject())
         return shownMotion();
     const int suit = subjects()[static_cast<size_t>(subject)].suit();
+    if (!hasMotion(suit))
+        return nullptr;
     return ask<std::pair<int64_t, int>, TimedMotion>(
         others_, {*run, suit}, tr("Loading the motion"), &TakeDocument::motionChanged,
         [path = path_.toStdString(), suit, number = *run](const JobContext& job) {
@@ -68,6 +75,8 @@ std::shared_ptr<const std::vector<BetweenTrack>> TakeDocument::betweenTracks(int
         return nullptr;
     const TakeView view{path_.toStdString(), subjects()[static_cast<size_t>(subject)].suit()};
     const int other_suit = subjects()[static_cast<size_t>(other)].suit();
+    if (*run != kReference && (!hasMotion(view.suit) || !hasMotion(other_suit)))
+        return nullptr;
     const auto number = *run == kReference ? std::nullopt : run;
     return ask<BetweenKey, std::vector<BetweenTrack>>(
         between_, {*run, view.suit, other_suit}, tr("Measuring between performers"),

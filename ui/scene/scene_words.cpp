@@ -131,6 +131,11 @@ QString whyEmpty(ReviewContext& review) {
         return SceneWords::tr("This take is being processed. The body appears here when that is done.");
     if (take.shownRun() == -1)
         return SceneWords::tr("This take has no motion yet. Process it, and the body appears here.");
+    const TakeParty* party = take.overview()->partyOf(take.overview()->suit_in_view);
+    if (party && party->lost_in_rest_s)
+        return SceneWords::tr("%1 was lost at %2, before the rest pose ended. There is no motion of them.",
+                              "a performer, a time")
+            .arg(QString::fromStdString(party->subject.name), timeText(*party->lost_in_rest_s, 0));
     if (!take.shownMotion())
         return take.problem();
     return SceneWords::tr("The motion has no pose at this time.");

@@ -80,8 +80,7 @@ ProblemWords supportOfAll(const TakeVerdict& verdict, const TakeOverview& overvi
     } else {
         words.title =
             Words::tr("Ranges backed the joints only %1 of the time").arg(percentText(verdict.backed_share));
-        words.text =
-            drift + ' ' + Words::tr("Look at the pairs for sources or boards that were not heard.");
+        words.text = drift + ' ' + Words::tr("Look at the pairs for sources or boards that were not heard.");
     }
     return words;
 }
@@ -179,6 +178,17 @@ ProblemWords lackProblem(const TakeVerdict& verdict) {
         "the take with it.");
     words.action = Words::tr("Process with a calibration");
     words.processes = true;
+    return words;
+}
+
+ProblemWords lostInRestProblem(const TakeOverview& overview) {
+    const TakeParty* party = overview.partyOf(overview.suit_in_view);
+    const QString name = QString::fromStdString(party ? party->subject.name : overview.performer);
+    const double at_s = party ? party->lost_in_rest_s.value_or(overview.duration_s) : overview.duration_s;
+    ProblemWords words;
+    words.title = Words::tr("%1 was lost at %2, before the rest pose ended", "a performer, a time")
+                      .arg(name, timeText(at_s, 0));
+    words.text = Words::tr("There is no motion of them.", "a performer");
     return words;
 }
 
@@ -291,6 +301,9 @@ std::vector<ProblemWords> problemsInWords(const TakeVerdict& verdict, const Take
                     "No ranges between the performers or to a room were used, so their distance is a guess. "
                     "See that every suit has a calibration and heard the others, and process with all "
                     "sensors.");
+                break;
+            case VerdictReason::kEndsInRest:
+                words = lostInRestProblem(overview);
                 break;
             case VerdictReason::kNoPoses:
                 words.title = Words::tr("This result shows no pose");

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <map>
 
+#include "core/processing/evaluate_take.h"
+#include "core/report/take_verdict.h"
+#include "core/report/verdict.h"
 #include "core/review/between_curve.h"
 #include "core/review/take_review.h"
 #include "tests/core/simulation/swaying_pair.h"
@@ -157,6 +160,29 @@ TEST(SeveralPeople, PairsMayHaveAnothersSources) {
         for (const PairTrack& track : table->pairs)
             EXPECT_TRUE(std::is_sorted(track.t_s.begin(), track.t_s.end()));
     }
+}
+
+TEST(SeveralPeople, WhoseBoxWasLostInTheRestPoseHasNoMotionAndTheVerdictSaysSo) {
+    const test::Folder folder;
+    const std::string path = folder.file("lost.noctule");
+    const Status written = test::writePairLostInRest(path);
+    ASSERT_TRUE(written) << written.error().text();
+    const auto overview = overviewTake(path, {});
+    ASSERT_TRUE(overview) << overview.error().text();
+    const int ada = overview->subjects[0].suit(), bea = overview->subjects[1].suit();
+    EXPECT_FALSE(overview->partyOf(ada)->lost_in_rest_s);
+    ASSERT_TRUE(overview->partyOf(bea)->lost_in_rest_s);
+    EXPECT_NEAR(*overview->partyOf(bea)->lost_in_rest_s, 0.5, 0.1);
+    EXPECT_EQ(overview->partyOf(77), nullptr);
+    EvaluateRequest request;
+    request.take_path = path;
+    request.suit = bea;
+    const auto report = evaluateTake(request, {});
+    ASSERT_TRUE(report) << report.error().text();
+    EXPECT_EQ(judgeTake(*report).grade, Grade::kNotUsable);
+    EXPECT_EQ(judgeTake(*report).reasons, std::vector{VerdictReason::kEndsInRest});
+    EXPECT_EQ(judge(*report).headline,
+              "Not usable. The recording ends before the rest pose does. There is no motion.");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "core/processing/process_take.h"
 #include "tests/core/simulation/two_people.h"
+#include "tests/support/take_files.h"
 
 namespace noctule::test {
 
@@ -77,6 +78,23 @@ inline Status writeSwayingPair(const std::string& path, const JobContext& job = 
 inline Status writeProcessedPair(const std::string& path) {
     if (Status written = writeSwayingPair(path); !written)
         return written;
+    ProcessRequest request;
+    request.take_path = path;
+    request.software = "test";
+    const auto summary = processTake(request, {});
+    return summary ? Status(Done{}) : Status(summary.error());
+}
+
+/// Bea's box is lost at 0.5 s, while the rest pose is held; processed then.
+inline Status writePairLostInRest(const std::string& path) {
+    if (Status written = writeSwayingPair(path); !written)
+        return written;
+    runSql(path,
+           "DELETE FROM range WHERE suit=2 AND arrival_sample>75000;"
+           "DELETE FROM range WHERE pulse IN (SELECT id FROM pulse WHERE suit=2 AND sample>75000);"
+           "DELETE FROM pulse WHERE suit=2 AND sample>75000;"
+           "DELETE FROM inertial WHERE suit=2 AND sample>75000;"
+           "DELETE FROM meta WHERE key='sample_count';");
     ProcessRequest request;
     request.take_path = path;
     request.software = "test";
