@@ -183,8 +183,9 @@ bool Recorder::hasRoom() {
     if (!free_bytes || *free_bytes >= settings_.reserve_bytes)
         return true;
     complete(Error{ErrorKind::kDisk,
-                   sink_->path() + ": the recording was ended because only " + megabytes(*free_bytes) +
-                       " are free on the disk; " + safeLength() + " are safe in the file",
+                   "The recording was ended because only " + megabytes(*free_bytes) +
+                       " are free on the disk of " + sink_->path() + "; " + safeLength() +
+                       " are safe in the file",
                    "Free some space, or record to another disk"});
     return false;
 }

@@ -9769,8 +9769,8 @@
         <translation>%1: sendet nichts</translation>
     </message>
     <message>
-        <source>%1: the recording was ended because only %2 are free on the disk; %3 are safe in the file</source>
-        <translation>%1: die Aufnahme wurde beendet, weil auf der Platte nur %2 frei sind; %3 sind sicher in der Datei</translation>
+        <source>The recording was ended because only %1 are free on the disk of %2; %3 are safe in the file</source>
+        <translation>Die Aufnahme wurde beendet, weil auf der Platte von %2 nur %1 frei sind; %3 sind sicher in der Datei</translation>
     </message>
     <message>
         <source>(not yet as one file)</source>

@@ -4678,6 +4678,10 @@
 <context>
     <name>noctule::ui::LiveSuit</name>
     <message>
+        <source>Nothing was recorded, and the take was removed.</source>
+        <translation>Es wurde nichts aufgenommen, die Aufnahme ist entfernt.</translation>
+    </message>
+    <message>
         <source>Disconnecting %1</source>
         <translation>%1 wird getrennt</translation>
     </message>
@@ -6962,6 +6966,10 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
 <context>
     <name>noctule::ui::RecordCenter</name>
     <message>
+        <source>New session in another folder</source>
+        <translation>Neue Sitzung in anderem Ordner</translation>
+    </message>
+    <message>
         <source>shot %1 of %2, %3</source>
         <translation>Szene %1 von %2, %3</translation>
     </message>
@@ -7181,6 +7189,10 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
 </context>
 <context>
     <name>noctule::ui::RecordRun</name>
+    <message>
+        <source>There is no room for a take in %1. Free some space, or record into a session in another folder.</source>
+        <translation>In %1 ist kein Platz für eine Aufnahme. Platz schaffen oder in eine Sitzung in einem anderen Ordner aufnehmen.</translation>
+    </message>
     <message>
         <source>take</source>
         <comment>first part of the names of takes</comment>

@@ -109,6 +109,8 @@ public:
     /// Keeps what was seen just now; evidenceRecorded() comes when it is on disk. In words why not, else
     /// empty.
     QString keepEvidence(const EvidencePlan& plan);
+    /// True, and the file is gone, when it ended by itself before anything was recorded.
+    static bool removeWhenEmpty(const RecorderState& recorded, int sample_rate_hz);
     /// Second of the take that it stands at.
     double addMarker(const QString& label);
     void addNote(const QString& text);

@@ -11,6 +11,7 @@
 #include "ui/views/record/record_bar.h"
 #include "ui/views/record/take_clock.h"
 #include "ui/views/scaled_layout.h"
+#include "ui/views/session/session_commands.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/divider.h"
 #include "ui/widgets/problem_card.h"
@@ -137,8 +138,12 @@ void RecordCenter::showRefusal() {
             closeRefusal();
             run_.recordAnyway();
         });
-    connect(refusal_->addAction(tr("Open Connect")), &QPushButton::clicked, this,
-            [this] { studio_.goTo(Step::kConnect); });
+    if (obstacle.is_of_disk)
+        connect(refusal_->addAction(tr("New session in another folder")), &QPushButton::clicked, this,
+                [this] { SessionCommands::askForNew(this, studio_); });
+    else
+        connect(refusal_->addAction(tr("Open Connect")), &QPushButton::clicked, this,
+                [this] { studio_.goTo(Step::kConnect); });
     refusal_->setClosable(true);
     connect(refusal_, &ProblemCard::closed, this, &RecordCenter::closeRefusal);
     column_->insertWidget(1, refusal_);

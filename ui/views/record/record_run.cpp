@@ -2,6 +2,7 @@
 #include "ui/views/record/record_run.h"
 
 #include <QApplication>
+#include <QDir>
 #include <cmath>
 #include <utility>
 
@@ -18,6 +19,7 @@ namespace {
 constexpr const char *kCountdown = "record/countdown_s", *kPreRoll = "record/pre_roll_s",
                      *kTones = "record/tones", *kReview = "record/open_review", *kBase = "record/base_name";
 constexpr int kTick_ms = 33, kUsualCountdown_s = 3;
+constexpr double kLeastRoom_s = 5;  ///< with less the recorder ends a take as soon as it begins
 
 QString sentences(const RecordObstacle& obstacle) {
     return obstacle.text.isEmpty() ? obstacle.title + QLatin1Char('.')
@@ -69,10 +71,10 @@ RecordRun::RecordRun(CaptureContext& capture, QObject* parent)
 RecordObstacle RecordRun::obstacleNow() const {
     LiveSuits& suits = capture_.suits();
     if (!suits.areSeveral())
-        return obstacleOf(suits.current());
+        return obstacleOfSuit(suits.current());
     RecordObstacle mild;
     for (const SuitInUse* worn : suits.connected()) {
-        RecordObstacle obstacle = obstacleOf(*worn);
+        RecordObstacle obstacle = obstacleOfSuit(*worn);
         if (!obstacle)
             continue;
         obstacle.title =
@@ -87,7 +89,19 @@ RecordObstacle RecordRun::obstacleNow() const {
     return mild;
 }
 
-RecordObstacle RecordRun::obstacleOf(const SuitInUse& worn) {
+RecordObstacle obstacleOf(const ReadinessProblem& problem, const SuitCheck& check, const QString& folder) {
+    const HindranceWords words = wordsOf(problem, check);
+    if (problem.kind == ProblemKind::kStorageShort && problem.value < kLeastRoom_s)
+        return {words.title,
+                RecordRun::tr("There is no room for a take in %1. Free some space, or record into a session "
+                              "in another folder.")
+                    .arg(QDir::toNativeSeparators(folder)),
+                false, true};
+    // Without sound there is no take to make; anything else costs a part of it.
+    return {words.title, words.text, problem.kind != ProblemKind::kNoSound};
+}
+
+RecordObstacle RecordRun::obstacleOfSuit(const SuitInUse& worn) const {
     const LiveSuit& suit = worn.suit;
     const auto status = suit.status();
     if (suit.isLent())
@@ -100,11 +114,8 @@ RecordObstacle RecordRun::obstacleOf(const SuitInUse& worn) {
         return {tr("The link to the driver box is broken"),
                 tr("Recording can begin as soon as it is back; the studio tries by itself.")};
     for (const ReadinessProblem& problem : worn.check.readiness().problems)
-        if (problem.hinders && !problem.accepted) {
-            const HindranceWords words = wordsOf(problem, worn.check);
-            // Without sound there is no take to make; anything else costs a part of it.
-            return {words.title, words.text, problem.kind != ProblemKind::kNoSound};
-        }
+        if (problem.hinders && !problem.accepted)
+            return obstacleOf(problem, worn.check, capture_.shared().takesFolder());
     return {};
 }
 

@@ -25,8 +25,12 @@ struct TakeMark {
 struct RecordObstacle {
     QString title, text;
     bool may_record_anyway = false;  ///< what is recorded then can still be used
+    bool is_of_disk = false;         ///< the recorder would end at once: another folder helps
     explicit operator bool() const { return !title.isEmpty(); }
 };
+
+/// What a problem that hinders means for a take into `folder`.
+RecordObstacle obstacleOf(const ReadinessProblem& problem, const SuitCheck& check, const QString& folder);
 
 class RecordRun : public QObject {
     Q_OBJECT
@@ -92,7 +96,7 @@ private:
     void follow();
     State stateNow() const;
     RecordObstacle obstacleNow() const;
-    static RecordObstacle obstacleOf(const SuitInUse& worn);
+    RecordObstacle obstacleOfSuit(const SuitInUse& worn) const;
     void beginOrCount();
     void beginOwn();
     /// Why it cannot begin; empty: it does.
