@@ -7,6 +7,7 @@
 #include "ui/main_window/diagnosis.h"
 #include "ui/main_window/help_window.h"
 #include "ui/models/studio_log.h"
+#include "ui/wizards/wizard_task.h"
 
 namespace noctule::ui {
 namespace {
@@ -68,6 +69,19 @@ TEST_F(HelpWindowTest, ADiagnosisSaysWhatHappenedAndNotToWhom) {
     EXPECT_FALSE(text.contains(session));
     EXPECT_FALSE(text.contains(folder_.path()));
     EXPECT_FALSE(text.contains(QString::fromStdString(studio_->session().session().performers.front().name)));
+}
+
+TEST_F(HelpWindowTest, TheGuideSaysOfCalibrationsWhatTheirPagesSay) {
+    QFile file(":/noctule/docs/guide.md");
+    ASSERT_TRUE(file.open(QFile::ReadOnly));
+    const QStringList lines = QString::fromUtf8(file.readAll()).split('\n');
+    const auto both = [&](const char* row, const QString& of_page, const QString& phrase) {
+        const QString in_guide = lines.filter(QStringLiteral("| %1 |").arg(row)).join('\n');
+        EXPECT_TRUE(in_guide.contains(phrase)) << in_guide.toStdString();
+        EXPECT_TRUE(of_page.contains(phrase, Qt::CaseInsensitive)) << of_page.toStdString();
+    };
+    both("movement", wordsOf(WizardTask::kMovement).takes, "six exercises, about 2 minutes");
+    both("gyroscopes", wordsOf(WizardTask::kGyroscopes).needs.front(), "45, 33 1/3 or 78 turns a minute");
 }
 
 }  // namespace
