@@ -42,8 +42,8 @@ Status checkPair(const SuitVoice& one, const SuitVoice& other) {
         ErrorKind::kDevice,
         one.who + " and " + other.who + " both sound at " + carriers +
             ", and only carriers 5 kHz apart can be told from each other",
-        "Set one of the boxes to another carrier, such as 40, 48 or 58 kHz, or record them one after "
-        "the other"};
+        "Set one of the boxes to another carrier, such as 40, 48 or 58 kHz, in its firmware (virtual suits: "
+        "start both from one --cast), or record them one after the other"};
 }
 
 }  // namespace

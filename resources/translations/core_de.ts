@@ -9857,8 +9857,8 @@
         <translation>Nimmt %zu Anzüge auf, %.1f s, Platte reicht für %.0f min</translation>
     </message>
     <message>
-        <source>Set one of the boxes to another carrier, such as 40, 48 or 58 kHz, or record them one after the other</source>
-        <translation>Eine der Boxen auf eine andere Trägerfrequenz einstellen, etwa 40, 48 oder 58 kHz, oder nacheinander aufnehmen</translation>
+        <source>Set one of the boxes to another carrier, such as 40, 48 or 58 kHz, in its firmware (virtual suits: start both from one --cast), or record them one after the other</source>
+        <translation>Eine der Boxen in ihrer Firmware auf eine andere Trägerfrequenz einstellen, etwa 40, 48 oder 58 kHz (virtuelle Anzüge: beide mit demselben --cast starten), oder nacheinander aufnehmen</translation>
     </message>
     <message>
         <source>Switch the driver box off and on, and record again</source>
