@@ -6329,6 +6329,10 @@
         <translation>%1. Mittlerer Gelenkfehler %2 gegen %3.</translation>
     </message>
     <message>
+        <source>%1. The recording ends before the rest pose does. There is no motion.</source>
+        <translation>%1. Die Aufnahme endet, bevor die Ruhehaltung zu Ende ist. Es gibt keine Bewegung.</translation>
+    </message>
+    <message>
         <source>%1. Without a reference the error of this take is not known.</source>
         <translation>%1. Ohne Referenz ist der Fehler dieser Aufnahme nicht bekannt.</translation>
     </message>
@@ -6369,8 +6373,8 @@
         <translation>1, gut ab 0,5</translation>
     </message>
     <message>
-        <source>A joint is backed by ranges in a frame when, a moment before, a range in use lay across it. Otherwise it goes on by its boards' inertia, and without these by the model.</source>
-        <translation>Ein Gelenk ist in einem Bild von Entfernungen gestützt, wenn einen Augenblick zuvor eine verwendete Entfernung über ihm lag. Sonst läuft es mit der Trägheit seiner Platinen weiter und ohne diese mit dem Modell.</translation>
+        <source>A joint is backed by ranges in a frame when, a moment before, a range in use lay across it. Otherwise it goes on by its boards' inertia, and without these by the model. The rest pose at the beginning does not count.</source>
+        <translation>Ein Gelenk ist in einem Bild von Entfernungen gestützt, wenn einen Augenblick zuvor eine verwendete Entfernung über ihm lag. Sonst läuft es mit der Trägheit seiner Platinen weiter und ohne diese mit dem Modell. Die Ruhehaltung am Anfang zählt nicht.</translation>
     </message>
     <message>
         <source>A third of the ranges miss the pose by more than %1: a board or a source sits elsewhere than its calibration says, or the source offsets are another box's.</source>
@@ -9769,10 +9773,6 @@
         <translation>%1: sendet nichts</translation>
     </message>
     <message>
-        <source>The recording was ended because only %1 are free on the disk of %2; %3 are safe in the file</source>
-        <translation>Die Aufnahme wurde beendet, weil auf der Platte von %2 nur %1 frei sind; %3 sind sicher in der Datei</translation>
-    </message>
-    <message>
         <source>(not yet as one file)</source>
         <translation>(noch nicht als eine Datei)</translation>
     </message>
@@ -9879,6 +9879,10 @@
     <message>
         <source>The live results are not in the take: %1.</source>
         <translation>Die Live-Ergebnisse sind nicht in der Aufnahme: %1.</translation>
+    </message>
+    <message>
+        <source>The recording was ended because only %1 are free on the disk of %2; %3 are safe in the file</source>
+        <translation>Die Aufnahme wurde beendet, weil auf der Platte von %2 nur %1 frei sind; %3 sind sicher in der Datei</translation>
     </message>
     <message>
         <source>The suit is not calibrated: all of its sound is kept, but no poses. Process the take with a calibration.</source>
