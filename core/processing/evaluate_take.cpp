@@ -273,7 +273,7 @@ Status compareRun(const Take& take, int64_t run, const Reference& reference, Rep
     const auto motion = take.poseSource(run);
     if (!motion)
         return motion.error();
-    if (!reference.there)
+    if (!reference.there || data.take.endsInRest())
         return Done{};
     ComparisonOptions options = reference.options;
     options.curves = described.is_shown;
