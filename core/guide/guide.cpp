@@ -142,4 +142,9 @@ std::vector<int> Guide::heardBoards(const HealthReport& health, Guidance& guidan
     return heard;
 }
 
+void Guide::lose() {
+    now_ = {};
+    restart();
+}
+
 }  // namespace noctule

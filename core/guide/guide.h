@@ -98,6 +98,8 @@ public:
     void repeat(int step);
     /// The count begins again.
     void restart();
+    /// The suit is gone: nothing of what it showed last holds any more, and the count begins again.
+    void lose();
 
 protected:
     /// Fills step, boards, askew_rad and what it measures; returns a hindrance of the whole, if any.

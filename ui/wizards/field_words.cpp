@@ -190,7 +190,7 @@ std::vector<LiveMeasure> fieldMeasures(const FieldGuide& guide) {
         measures.push_back({FieldText::tr("Sensors heard"),
                             FieldText::tr("%1 of %2").arg(now.right_boards).arg(now.asked_boards),
                             static_cast<double>(now.right_boards) / std::max(1, now.asked_boards),
-                            now.right_boards == now.asked_boards});
+                            now.asked_boards > 0 && now.right_boards == now.asked_boards});
     return measures;
 }
 

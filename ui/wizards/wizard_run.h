@@ -116,6 +116,7 @@ private:
     std::optional<int> stepShownBy(const WizardEvidence& part) const;
     void followWearing();
     void followBox();
+    void followLink();
     void leaveSuit();
     int sampleRate_hz() const;
     void look();
@@ -162,6 +163,7 @@ private:
     int solving_ = 0;  ///< what jobs of an earlier one bring is void
     QString saved_file_;
     bool paused_ = false;
+    bool is_gone_ = false;        ///< the suit, while a step was to be shown
     bool from_evidence_ = false;  ///< the result, or else from takes that were recorded elsewhere
 };
 

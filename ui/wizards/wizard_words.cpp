@@ -242,8 +242,11 @@ std::vector<LiveMeasure> measuresOf(const WizardRun& run) {
                         LiveText::tr("%1 of %2").arg(now.right_boards).arg(now.asked_boards),
                         static_cast<double>(now.right_boards) / std::max(1, now.asked_boards),
                         now.right_boards == now.asked_boards});
-    for (LiveMeasure& measure : measures)
+    for (LiveMeasure& measure : measures) {
         measure.share = std::clamp(measure.share, 0.0, 1.0);
+        if (now.boards.empty())  // nothing is seen: neither right nor wrong
+            measure = {measure.name, QStringLiteral("–"), 0, false};
+    }
     return measures;
 }
 

@@ -52,6 +52,16 @@ TEST_F(SideGuideTest, TakesABoardWithALargeZeroAndNamesOneThatLiesElsewhere) {
     EXPECT_EQ(lay({2, +1}, {0, +1}), GuidedBoard::kElsewhere);
 }
 
+TEST_F(SideGuideTest, NothingIsRightOfASuitThatIsGoneAndTheCountBeginsAnew) {
+    guide_.look(rig_.after(0.1));
+    ASSERT_GT(guide_.look(rig_.after(2.5)).held_s, 2);
+    guide_.lose();
+    EXPECT_FALSE(guide_.guidance().isRight());
+    EXPECT_EQ(guide_.guidance().right_boards, 0);
+    EXPECT_TRUE(guide_.guidance().boards.empty());
+    EXPECT_EQ(guide_.look(rig_.after(10)).held_s, 0);
+}
+
 TEST_F(SideGuideTest, CountsHowLongASideHasBeenRightWithoutABreak) {
     guide_.look(rig_.after(0.1));
     EXPECT_NEAR(guide_.look(rig_.after(2.5)).held_s, 2.5, 1e-6);

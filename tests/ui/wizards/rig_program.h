@@ -31,6 +31,11 @@ public:
         program_.waitForFinished(5000);
     }
 
+    /// Gone without a word, as a box whose battery is empty.
+    void kill() {
+        program_.kill();
+        program_.waitForFinished(5000);
+    }
     bool isThere() const { return !control_.isEmpty(); }
     const QString& address() const { return address_; }
     /// What it answers.

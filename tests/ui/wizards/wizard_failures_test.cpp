@@ -2,6 +2,7 @@
 // Wizards through everything that can go wrong. A small suit at several times its speed.
 #include "tests/ui/wizards/wizard_flow.h"
 #include "ui/wizards/task_card.h"
+#include "ui/wizards/wizard_words.h"
 
 namespace noctule::ui {
 namespace {
@@ -67,6 +68,18 @@ TEST_F(WizardFailures, MovedDuringASideTheCountBeginsAgain) {
     EXPECT_EQ(stepsDone(), 0) << "a side that was moved is not taken";
     ASSERT_TRUE(waitLong([this] { return stepsDone() == 1; }));
     EXPECT_TRUE(run().guide()->isDone(0));
+}
+
+TEST_F(WizardFailures, ABoxThatIsGoneInTheMiddleOfAStepIsSaidAndNothingStaysGreen) {
+    connectRig({"--rig", "level"});
+    open(WizardTask::kAccelerometers);
+    ASSERT_TRUE(waitLong([this] { return run().heldShare() > 0.2; })) << heard();
+    rig_->kill();
+    ASSERT_TRUE(waitLong([this] { return heard() == "The suit has gone"; })) << heard();
+    EXPECT_EQ(run().heldShare(), 0);
+    for (const LiveMeasure& measure : measuresOf(run()))
+        EXPECT_FALSE(measure.is_right) << measure.name.toStdString();
+    EXPECT_EQ(stepsDone(), 0);
 }
 
 TEST_F(WizardFailures, WhatWasTakenSurvivesTheStudio) {
