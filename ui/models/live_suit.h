@@ -47,6 +47,7 @@ public:
         std::string kind;   ///< of the take: level, turntable, jig, motion
         double length_s = 0;
         QString placement;  ///< of a jig: marked over the whole length
+        double rest_s = 0;  ///< so long before its end the rest pose is held; marked
     };
     struct Surroundings {
         std::string software;

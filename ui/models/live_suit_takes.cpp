@@ -3,6 +3,8 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QPointer>
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "core/session/shot_list.h"
@@ -183,8 +185,8 @@ QString LiveSuit::keepEvidence(const EvidencePlan& plan) {
     setPhase(Phase::kSaving);
     jobs_.start<StreamResult>(
         tr("Keeping %1").arg(plan.base_name),
-        [live = live_, request = requestOf(plan),
-         placement = plan.placement.toStdString()](const JobContext& job) -> Result<StreamResult> {
+        [live = live_, request = requestOf(plan), placement = plan.placement.toStdString(),
+         rest_s = plan.rest_s](const JobContext& job) -> Result<StreamResult> {
             if (!live->status()->stream_is_open)
                 return Error{ErrorKind::kDevice, "The stream broke off before the step was kept",
                              "It begins again when the suit is back"};
@@ -192,6 +194,12 @@ QString LiveSuit::keepEvidence(const EvidencePlan& plan) {
                 return *trouble;
             if (!placement.empty())
                 live->addMarker("placement", placement, 0);
+            if (const auto hello = live->status()->hello; hello && rest_s > 0) {
+                const int64_t end = live->reachedSample() - 1;
+                live->addMarker("rest", "begin",
+                                std::max<int64_t>(0, end - std::llround(rest_s * hello->sample_rate_hz)));
+                live->addMarker("rest", "end", end);
+            }
             return endStream(*live, job);
         },
         [self = QPointer(this), connection = connection_](Result<StreamResult> result) -> QString {

@@ -253,6 +253,9 @@ void WizardRun::keep() {
     plan.kind = takeKindOf(task_).toStdString();
     plan.base_name = QStringLiteral("%1_%2").arg(keyOf(task_)).arg(*now.step + 1);
     plan.length_s = leadOf(task_) + holdOf(task_) + kMargin_s;
+    // Without its margin, in which the performer may not have stood still yet.
+    if (task_ == WizardTask::kRestPose || task_ == WizardTask::kCheck)
+        plan.rest_s = holdOf(task_);
     plan.placement = QString::fromStdString(guide_->labelOf(*now.step));
     trouble_ = capture_.suit().keepEvidence(plan);
     if (trouble_.isEmpty())

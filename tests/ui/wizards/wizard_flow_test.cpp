@@ -71,6 +71,8 @@ TEST_F(WizardFlow, RestPose) {
     }
     ASSERT_TRUE(reach(Phase::kResult)) << heard();
     EXPECT_NE(run().result()->grade(), Grade::kUnknown);
+    EXPECT_EQ(whatWasFound().find("marks no rest pose"), std::string::npos) << whatWasFound();
+    EXPECT_EQ(whatWasFound().find(", moved at "), std::string::npos) << whatWasFound();
     save();
     page_->closeWizard();
     EXPECT_FALSE(page_->startButton(WizardTask::kCheck)->isEnabled()) << "gyroscopes are not calibrated";
