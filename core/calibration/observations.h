@@ -42,6 +42,7 @@ struct Observations {
     std::string take;  ///< file name, for messages
     std::string kind;  ///< motion, jig, level, turntable
     double duration_s = 0;
+    std::optional<double> began_s;  ///< UTC since 1970, to the second; absent: unknown
     double g_m_per_s2 = kStandardGravity_m_per_s2;
     double turntable_rpm = 0;  ///< nominal; 0: not stated
     Suit suit;

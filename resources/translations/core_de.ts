@@ -731,8 +731,12 @@
         <translation>Für ein besseres Ergebnis den Drehteller um ein drittel Grad neigen und wiederholen</translation>
     </message>
     <message>
-        <source>Let each side turn evenly for longer, eight seconds or more</source>
-        <translation>Jede Seite länger gleichmäßig drehen lassen, acht Sekunden oder mehr</translation>
+        <source>Turn the six sides one soon after the other, each evenly for nine seconds or more</source>
+        <translation>Die sechs Seiten bald nacheinander drehen lassen, jede neun Sekunden oder länger gleichmäßig</translation>
+    </message>
+    <message>
+        <source>Of %1 boards the zeros are known to %2 °/s and the slopes to %3 %</source>
+        <translation>Von %1 Platinen sind die Nullpunkte auf %2 °/s und die Steigungen auf %3 % bekannt</translation>
     </message>
     <message>
         <source>Push its plug in until it clicks, then repeat its six turns</source>

@@ -2,6 +2,7 @@
 #include "ui/style/words.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 #include <cmath>
 
 namespace noctule::ui {
@@ -36,6 +37,13 @@ QString withUnit(double value, int decimals, const QString& unit) {
 
 QString numberText(double value, int decimals) {
     return std::isfinite(value) ? fixed(value, decimals) : kDash;
+}
+
+QString unbroken(const QString& sentence) {
+    static const QRegularExpression kBeforeUnit(QStringLiteral("(\\d) (?=[°%])"));
+    return QString(sentence)
+        .replace(kBeforeUnit, QStringLiteral("\\1\u00a0"))
+        .replace(QStringLiteral("°/s"), QStringLiteral("°/\u2060s"));
 }
 
 /// Qt calls one of the two keys "Return", which stands on few keyboards.

@@ -30,6 +30,8 @@ QString countText(qint64 count);
 /// 2900000 -> "2.9 MB" (powers of ten, as file dialogs and disks count).
 QString bytesText(qint64 bytes);
 QString numberText(double value, int decimals);
+/// Of a whole sentence: no line ends between a number and its degrees or percent, nor within "°/s".
+QString unbroken(const QString& sentence);
 /// "Ctrl+R", on a German screen "Strg+R" as its keyboard has it. Every key in a text is written by this.
 QString keysText(const QKeySequence& keys);
 /// "Today, 10:12", "Yesterday", "17 November"; with the year when it is not the present one.

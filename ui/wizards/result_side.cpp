@@ -66,8 +66,9 @@ void ResultSide::showFindings() {
     int shown = 0;
     for (const Finding& finding : run_->result()->document.findings) {
         auto* card = new ProblemCard(
-            finding.grade == Grade::kNotUsable ? Tone::kError : Tone::kWarn, coreWords(finding.what),
-            coreWords(finding.remedy.empty() ? std::string() : finding.remedy + "."));
+            finding.grade == Grade::kNotUsable ? Tone::kError : Tone::kWarn,
+            unbroken(coreWords(finding.what)),
+            unbroken(coreWords(finding.remedy.empty() ? std::string() : finding.remedy + ".")));
         card->setVisible(shows_all_ || shown++ < kMostFindings);
         findings_->addWidget(card);
     }

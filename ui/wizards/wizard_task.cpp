@@ -207,8 +207,9 @@ QString takeKindOf(WizardTask task) {
 }
 
 double holdOf(WizardTask task) {
-    // A turn at 33 1/3 rpm takes 1.8 s: gravity's ripple wants some of them.
-    constexpr double kHolds_s[] = {6, 4, 8, 1.5, 5, MovementGuide::kMove_s, 3};
+    // Gravity's ripple shows the table's speed: 6.5 s at 45 rpm are too few turns for "good", 8.5 s are
+    // enough.
+    constexpr double kHolds_s[] = {6, 4, 9, 1.5, 5, MovementGuide::kMove_s, 3};
     return kHolds_s[static_cast<int>(task)];
 }
 

@@ -125,6 +125,8 @@ public:
         }
         for (const GyroWork& work : works)
             finish(work);
+        sayUncertain(Grade::kNotUsable);
+        sayUncertain(Grade::kUsable);
         return std::move(report_);
     }
 
@@ -145,7 +147,8 @@ private:
             work.rates.push_back(
                 {stretch.gyro, stretch.steady.begin_s, stretch.steady.end_s, stretch.steady.take,
                  stretch.about ? Vector3d(turningRate_rad_per_s(report_.nominal_rpm) * stretch.about->up())
-                               : Vector3d::Zero()});
+                               : Vector3d::Zero(),
+                 takes_[static_cast<size_t>(stretch.steady.take)].began_s});
         return work;
     }
 
@@ -193,7 +196,7 @@ private:
                                    work.table->stretches[k].about, found - rate.rate_rad_per_s,
                                    before.apply(rate.mean.counts) - rate.rate_rad_per_s});
         }
-        judge(board, *work.table->record);
+        judge(board, work);
     }
 
     /// How far a zero is from its mean at the end of the last take.
@@ -206,7 +209,7 @@ private:
         return report_.wander_rad_per_s_per_sqrt_s / work.slope_rad_per_s * std::sqrt(lasted_s / 3);
     }
 
-    void judge(GyroscopeBoard& board, const BoardRecord& record) {
+    void judge(GyroscopeBoard& board, const GyroWork& work) {
         const double zero = board.sigmaZero_rad_per_s(), slope = board.sigmaSlope();
         Grade grade = Grade::kGood;
         if (!(zero <= GyroLimits::kZero_rad_per_s && slope <= GyroLimits::kSlope))
@@ -216,17 +219,51 @@ private:
             grade = Grade::kUsable;
         board.grade = std::max(board.grade, grade);
         if (grade != Grade::kGood)
-            report_.findings.push_back({grade, record.id,
-                                        record.words + ": its zero is known to " +
-                                            text::number(degrees(zero), 3) + " °/s and its slope to " +
-                                            text::number(100 * slope, 2) + " %",
-                                        "Let each side turn evenly for longer, eight seconds or more"});
+            uncertain_.push_back({grade, work.table->record, zero, slope});
         if (grade == Grade::kNotUsable)
             board.axes.reset();
     }
 
+    /// One cause, so one finding: the boards turned together.
+    void sayUncertain(Grade grade) {
+        size_t count = 0;
+        const UncertainBoard* one = nullptr;
+        double zero = 0, slope = 0;
+        for (const UncertainBoard& board : uncertain_)
+            if (board.grade == grade) {
+                ++count;
+                one = &board;
+                // What is not finite counts as more.
+                if (!(board.zero_rad_per_s <= zero))
+                    zero = board.zero_rad_per_s;
+                if (!(board.slope <= slope))
+                    slope = board.slope;
+            }
+        const char* const remedy =
+            "Turn the six sides one soon after the other, each evenly for nine seconds or more";
+        if (count == 1)
+            report_.findings.push_back({grade, one->record->id,
+                                        text::capitalised(one->record->words) + ": its zero is known to " +
+                                            text::number(degrees(zero), 3) + " °/s and its slope to " +
+                                            text::number(100 * slope, 2) + " %",
+                                        remedy});
+        else if (count > 1)
+            report_.findings.push_back({grade, "",
+                                        "Of " + std::to_string(count) + " boards the zeros are known to " +
+                                            text::number(degrees(zero), 3) + " °/s and the slopes to " +
+                                            text::number(100 * slope, 2) + " %",
+                                        remedy});
+    }
+
+    struct UncertainBoard {
+        Grade grade;
+        const BoardRecord* record;
+        double zero_rad_per_s, slope;
+    };
+
     const std::vector<Observations>& takes_;
     std::vector<BoardRecord> records_;
+    std::vector<UncertainBoard> uncertain_;
     std::vector<TableBoard> tables_;
     bool wrong_speed_ = false;
     GyroscopeReport report_;

@@ -2,13 +2,15 @@
 #include "core/calibration/gyroscope/gyroscope_fit.h"
 
 #include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
 
 #include "core/math/linear_solvers.h"
 
 namespace noctule {
 namespace {
 
-constexpr double kSigmaJump_counts = 1;  ///< of a zero from one take to another
+constexpr double kSigmaJump_counts = 1;  ///< of a zero from one take to another of another day
 constexpr double kLeastSigma_counts = 0.002;
 
 /// One axis of the gyroscope: its row of matrix^-1, then the zero of every stretch.
@@ -18,10 +20,22 @@ struct GyroRow {
     double chi_square = 0;
 };
 
+double middleOf_s(const KnownRate& stretch) {
+    return (stretch.begin_s + stretch.end_s) / 2;
+}
+
+/// Takes of one sitting lie minutes apart, in which a zero wanders as within a take and does not jump.
 double wanderVariance(const KnownRate& before, const KnownRate& after, double wander_counts2_per_s) {
-    const double apart_s = (after.begin_s + after.end_s - before.begin_s - before.end_s) / 2;
-    return before.take == after.take ? wander_counts2_per_s * std::max(apart_s, 0.1)
-                                     : kSigmaJump_counts * kSigmaJump_counts;
+    if (before.take == after.take)
+        return wander_counts2_per_s * std::max(middleOf_s(after) - middleOf_s(before), 0.1);
+    constexpr double kJump_counts2 = kSigmaJump_counts * kSigmaJump_counts;
+    if (!before.take_began_s || !after.take_began_s)
+        return kJump_counts2;
+    // Takes begin to the second; two stretches never overlap.
+    const double least_s = (before.end_s - before.begin_s + after.end_s - after.begin_s) / 2;
+    const double apart_s =
+        std::abs(*after.take_began_s + middleOf_s(after) - *before.take_began_s - middleOf_s(before));
+    return std::min(kJump_counts2, wander_counts2_per_s * std::max(apart_s, least_s));
 }
 
 GyroRow fitRow(const std::vector<KnownRate>& stretches, int axis, double wander_counts2_per_s) {

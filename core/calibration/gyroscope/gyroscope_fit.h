@@ -5,6 +5,7 @@
 // as square as board and seat are. The Earth's own turn, at most 0.004 deg/s, goes into the zero.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/calibration/count_mean.h"
@@ -15,8 +16,10 @@ namespace noctule {
 struct KnownRate {
     CountMean mean;
     double begin_s = 0, end_s = 0;
-    int take = 0;  ///< from one to another the zero may have jumped
+    int take = 0;
     Vector3d rate_rad_per_s = Vector3d::Zero();
+    /// On one clock for all takes. Absent: the zero may have jumped from one take to another.
+    std::optional<double> take_began_s{};
 };
 
 struct GyroscopeFit {

@@ -218,6 +218,34 @@ TEST(GyroscopeCalibration, RestsInAnotherTakeDoNoHarm) {
     }
 }
 
+/// One of the takes that a wizard makes: a single turn.
+Observations turnAlone(const std::string& side) {
+    Observations all = test::tableTake().observations;
+    const Stretch turn = test::whileUp(test::tableTake(), side);
+    for (size_t b = 0; b < all.boards.size(); ++b) {
+        test::removeReadings(all, b, {-1, turn.begin_s, ""});
+        test::removeReadings(all, b, {turn.end_s, all.duration_s + 1, ""});
+    }
+    return all;
+}
+
+TEST(GyroscopeCalibration, TurnsThatAreTakesOfTheirOwnAreGoodWhenTheyWereTakenInOneSitting) {
+    std::vector<Observations> takes;
+    for (const std::string side : {"+x", "-x", "+y", "-y", "+z", "-z"})
+        takes.push_back(turnAlone(side));
+    for (Observations& take : takes)
+        take.began_s = 1.8e9;
+    const GyroscopeReport report = calibrateGyroscopes(takes, 45);
+    EXPECT_EQ(report.grade(), Grade::kGood) << report.findings[0].what;
+    expectWithinLimits(gyroErrorsOf(test::tableTake(), report));
+
+    for (Observations& take : takes)
+        take.began_s.reset();
+    const Finding finding = test::onlyFinding(calibrateGyroscopes(takes, 45).findings, "");
+    EXPECT_TRUE(finding.what.starts_with("Of 18 boards the zeros are known to ")) << finding.what;
+    EXPECT_EQ(finding.grade, Grade::kUsable);
+}
+
 GyroscopeReport withoutTurns(const std::vector<std::string>& sides) {
     Observations all = test::tableTake().observations;
     for (const std::string& side : sides)

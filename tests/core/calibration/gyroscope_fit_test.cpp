@@ -84,5 +84,31 @@ TEST(GyroscopeFit, SigmasAreHonest) {
     EXPECT_NEAR(chi_square / kRuns, 1, 3 * std::sqrt(2.0 / (24 * kRuns)));
 }
 
+/// As a wizard takes them: each turn is a take of its own, half a minute after the one before.
+TEST(GyroscopeFit, TakesOfOneSittingCountAsOne) {
+    std::vector<KnownRate> one_take, many, undated;
+    for (KnownRate stretch : KnownGyroscope().stretches(0.02)) {
+        stretch.take = 0;
+        one_take.push_back(stretch);
+        stretch.take = static_cast<int>(many.size());
+        undated.push_back(stretch);
+        stretch.take_began_s = 1.8e9 + stretch.begin_s;
+        stretch.end_s -= stretch.begin_s;
+        stretch.begin_s = 0;
+        many.push_back(stretch);
+    }
+    constexpr double kWander_counts2_per_s = 1e-5;
+    const Matrix3d together = fitGyroscope(one_take, kWander_counts2_per_s).sigma_matrix;
+    EXPECT_LT((fitGyroscope(many, kWander_counts2_per_s).sigma_matrix - together).norm(),
+              1e-6 * together.norm());
+    EXPECT_GT(fitGyroscope(undated, kWander_counts2_per_s).sigma_matrix.norm(), 5 * together.norm());
+    // A day later nothing is known of it but that it may have jumped.
+    for (KnownRate& stretch : many)
+        *stretch.take_began_s += 86400.0 * stretch.take;
+    EXPECT_NEAR(fitGyroscope(many, kWander_counts2_per_s).sigma_matrix.norm() /
+                    fitGyroscope(undated, kWander_counts2_per_s).sigma_matrix.norm(),
+                0.93, 0.07);
+}
+
 }  // namespace
 }  // namespace noctule

@@ -37,6 +37,11 @@ TEST_F(WordsTest, time) {
     expectText(timeText(kNone), "–");
 }
 
+TEST_F(WordsTest, NoLineEndsWithinAUnit) {
+    expectText(unbroken("known to 0.003 °/s and 0.11 %. Two words"),
+               "known to 0.003\u00a0°/\u2060s and 0.11\u00a0%. Two words");
+}
+
 TEST_F(WordsTest, units) {
     expectText(degreesText(24.1 * kPi / 180), "24.1°");
     expectText(degreesText(-kPi / 2, 0), "−90°");
