@@ -158,13 +158,22 @@ QString sourceTitle(const Suit& suit, int source) {
         .arg(sourcePlace(sourceOf(suit, source), NameCase::kInside));
 }
 
-std::map<std::string, QString> partNames(const Suit& suit) {
-    std::map<std::string, QString> names;
+PartNames partNames(const Suit& suit) {
+    PartNames names;
     for (const Board& board : suit.boards)
-        names[board.id] = boardName(board);
+        names.boards[board.id] = boardName(board);
     for (int source = 0; source < static_cast<int>(suit.sources.size()); ++source)
-        names[suit.sources[static_cast<size_t>(source)].id] = sourceTitle(suit, source);
+        names.sources[suit.sources[static_cast<size_t>(source)].id] = sourceTitle(suit, source);
     return names;
+}
+
+void PartNames::apply(const std::string& column, std::string& id) const {
+    const bool of_sources = column == "source";
+    for (const auto* names : {of_sources ? &sources : &boards, of_sources ? &boards : &sources})
+        if (const auto known = names->find(id); known != names->end()) {
+            id = known->second.toStdString();
+            return;
+        }
 }
 
 QString pairName(const Suit& suit, int source, int board) {

@@ -37,8 +37,14 @@ QString sourceName(const Suit& suit, int source);
 /// "Source 8 (hat)"
 QString sourceTitle(const Suit& suit, int source);
 
-/// Of boards and sources by their ids, as they stand in tables.
-std::map<std::string, QString> partNames(const Suit& suit);
+/// Of boards and of sources by their ids, as they stand in tables. A board and a source may have one id.
+struct PartNames {
+    std::map<std::string, QString> boards, sources;
+
+    /// `column`: "board" or "source", the head of the table's first one. Others' ids stay as they are.
+    void apply(const std::string& column, std::string& id) const;
+};
+PartNames partNames(const Suit& suit);
 
 /// "source 8 (hat) to left shin", as in legends.
 QString pairName(const Suit& suit, int source, int board);

@@ -32,10 +32,10 @@ CalibrationTableCard::CalibrationTableCard(const CalibrationTable& table, QWidge
     column->addWidget(cells);
 }
 
-CalibrationTable named(CalibrationTable table, const std::map<std::string, QString>& names) {
+CalibrationTable named(CalibrationTable table, const PartNames& names) {
     for (auto& row : table.rows)
-        if (const auto known = row.empty() ? names.end() : names.find(row.front()); known != names.end())
-            row.front() = known->second.toStdString();
+        if (!row.empty() && !table.columns.empty())
+            names.apply(table.columns.front(), row.front());
     return table;
 }
 

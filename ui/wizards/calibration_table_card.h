@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/report/calibration_document.h"
+#include "ui/models/part_names.h"
 #include "ui/widgets/card.h"
 
 namespace noctule::ui {
@@ -14,6 +15,6 @@ public:
 };
 
 /// With the parts' names on this suit instead of their ids, in the first cells.
-CalibrationTable named(CalibrationTable table, const std::map<std::string, QString>& names);
+CalibrationTable named(CalibrationTable table, const PartNames& names);
 
 }  // namespace noctule::ui

@@ -2,6 +2,7 @@
 #include "ui/wizards/wizard_result.h"
 
 #include <QHBoxLayout>
+#include <QScrollBar>
 #include <QVBoxLayout>
 #include <numeric>
 
@@ -67,31 +68,30 @@ WizardResult::WizardResult(QWidget* parent) : QWidget(parent), header_(new Verdi
     header_->setRole(TextRole::kVerdict);
     auto* content = new QWidget;
     content_ = makeColumn(content, {28, 20, 28, 20}, 12);
-    makeColumn(this)->addWidget(new ScrollArea(content));
+    scroll_ = new ScrollArea(content);
+    makeColumn(this)->addWidget(scroll_);
     content_->addWidget(header_);
 }
 
-CalibrationDocument WizardResult::named(CalibrationDocument document,
-                                        const std::map<std::string, QString>& names) {
-    const auto name = [&names](std::string& id) {
-        if (const auto known = names.find(id); known != names.end())
-            id = known->second.toStdString();
-    };
+CalibrationDocument WizardResult::named(CalibrationDocument document, const PartNames& names) {
+    // The errors are those of the parts in the first table.
+    const bool has_table = !document.tables.empty() && !document.tables.front().columns.empty();
+    const std::string column = has_table ? document.tables.front().columns.front() : std::string();
     for (CalibrationTable& table : document.tables)
         table = ui::named(std::move(table), names);
     if (document.errors)
         for (CalibrationErrors::Row& row : document.errors->rows)
-            name(row.name);
+            names.apply(column, row.name);
     return document;
 }
 
-void WizardResult::setDocument(const CalibrationDocument& document,
-                               const std::map<std::string, QString>& names) {
+void WizardResult::setDocument(const CalibrationDocument& document, const PartNames& names) {
     while (QLayoutItem* item = content_->takeAt(1)) {
         delete item->widget();
         delete item;
     }
     fill(named(document, names));
+    scroll_->verticalScrollBar()->setValue(0);
 }
 
 void WizardResult::addSphere(const FieldSphere& sphere) {

@@ -4,16 +4,17 @@
 #pragma once
 
 #include <QWidget>
-#include <map>
 #include <string>
 
 #include "core/report/calibration_document.h"
 #include "core/sensor_calibration/field_sphere.h"
+#include "ui/models/part_names.h"
 
 class QVBoxLayout;
 
 namespace noctule::ui {
 
+class ScrollArea;
 class VerdictHeader;
 
 class WizardResult : public QWidget {
@@ -22,7 +23,7 @@ public:
     explicit WizardResult(QWidget* parent = nullptr);
 
     /// `names`: what ids of parts are called here.
-    void setDocument(const CalibrationDocument& document, const std::map<std::string, QString>& names);
+    void setDocument(const CalibrationDocument& document, const PartNames& names);
     /// Of magnetometers, behind setDocument(): the directions that were seen, by the sensor that saw fewest.
     void addSphere(const FieldSphere& sphere);
     /// "Good", "Usable", "Not usable": as it stands at the top.
@@ -30,10 +31,10 @@ public:
 
 private:
     void fill(const CalibrationDocument& document);
-    static CalibrationDocument named(CalibrationDocument document,
-                                     const std::map<std::string, QString>& names);
+    static CalibrationDocument named(CalibrationDocument document, const PartNames& names);
 
     VerdictHeader* header_;
+    ScrollArea* scroll_ = nullptr;
     QVBoxLayout* content_;
     QString verdict_;
 };

@@ -50,7 +50,22 @@ TEST(PartNames, AnchorsOfTheRoomAreToldApart) {
     EXPECT_EQ(boardName(room.boards[0]), "ceiling 1");
     EXPECT_EQ(boardTitle(room, 1), "ceiling 2 (board 2)");
     EXPECT_EQ(boardInside(room, 1), "board 2 (ceiling 2)");
-    EXPECT_EQ(partNames(room).at("ceiling_2"), "ceiling 2");
+    EXPECT_EQ(partNames(room).boards.at("ceiling_2"), "ceiling 2");
+}
+
+TEST(PartNames, ABoardAndASourceMayHaveOneId) {
+    Suit suit = defaultSuit();
+    suit.sources[0].id = suit.boards[0].id;
+    const PartNames names = partNames(suit);
+    EXPECT_EQ(names.boards.at(suit.boards[0].id), boardName(suit.boards[0]));
+    EXPECT_EQ(names.sources.at(suit.boards[0].id), sourceTitle(suit, 0));
+    std::string board = suit.boards[0].id, source = board, joint = "Left knee";
+    names.apply("board", board);
+    names.apply("source", source);
+    names.apply("joint", joint);
+    EXPECT_EQ(board, boardName(suit.boards[0]).toStdString());
+    EXPECT_EQ(source, sourceTitle(suit, 0).toStdString());
+    EXPECT_EQ(joint, "Left knee");
 }
 
 TEST(PartNames, GroupsHoldEveryBoardOnce) {
