@@ -54,6 +54,7 @@ TEST(CalibrationObservations, ReadingsKeepTheirInstantsAndCounts) {
     const auto sound = test::observe(smallStage(RigKind::kLevelPlate), Level::kSignal);
     ASSERT_TRUE(sound) << sound.error().text();
     const Observations& seen = sound->observations;
+    EXPECT_EQ(seen.began_s, 1767225600.0) << "2026-01-01T00:00:00Z";
     ASSERT_EQ(seen.boards.size(), 3U);
     for (size_t b = 0; b < seen.boards.size(); ++b) {
         EXPECT_GT(static_cast<double>(seen.boards[b].size()), 0.9 * 140 * seen.duration_s);
