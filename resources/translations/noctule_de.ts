@@ -11681,6 +11681,14 @@ Drehen, beide Richtungen x3</translation>
 <context>
     <name>noctule::ui::WizardIntro</name>
     <message>
+        <source>Gyroscopes come first</source>
+        <translation>Zuerst die Gyroskope</translation>
+    </message>
+    <message>
+        <source>The gyroscopes of this suit are not calibrated yet. Calibrate sources, accelerometers and gyroscopes before the rest pose: what it finds rests on them.</source>
+        <translation>Die Gyroskope dieses Anzugs sind noch nicht kalibriert. Vor der Ruhehaltung Quellen, Beschleunigungssensoren und Gyroskope kalibrieren: Was sie findet, beruht darauf.</translation>
+    </message>
+    <message>
         <source>Begin</source>
         <translation>Beginnen</translation>
     </message>

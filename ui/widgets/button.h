@@ -23,6 +23,11 @@ public:
            QWidget* parent);
 
     ButtonKind kind() const { return kind_; }
+    /// As tall as before.
+    void setKind(ButtonKind kind) {
+        kind_ = kind;
+        setTall(tall_);
+    }
     void setIconName(const QString& icon_name);
     void setShortcutHint(const QKeySequence& shortcut);
     /// 30 px instead of 38 for a primary button in a row of others, 38 for an outlined one that ends a dock.

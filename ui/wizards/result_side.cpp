@@ -106,6 +106,10 @@ void ResultSide::refresh() {
     process_->setVisible(!checks && run_->isInUse() && studio_.session().isOpen() &&
                          !studio_.session().session().takes.empty());
     save_->setText(bad ? tr("Save and use it anyway") : tr("Save and use"));
+    // What is filled is what is advised.
+    const bool repeats = bad && !checks && !run_->isSaved() && run_->guide();
+    save_->setKind(repeats ? ButtonKind::kOutlined : ButtonKind::kPrimary);
+    repeat_->setKind(repeats ? ButtonKind::kPrimary : ButtonKind::kOutlined);
     repeat_->setVisible(!run_->isSaved() && run_->guide());
     if (run_->isSaved())
         words_->setText(

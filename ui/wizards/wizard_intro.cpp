@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QVBoxLayout>
 
+#include "core/suit/calibration_lack.h"
 #include "ui/models/capture_context.h"
 #include "ui/style/words.h"
 #include "ui/views/body_figure.h"
@@ -31,6 +32,10 @@ WizardIntro::WizardIntro(CaptureContext& capture, QWidget* parent)
       drawing_(new RigDrawing),
       sphere_(new FieldDrawing),
       problem_(new ProblemCard(Tone::kError, {}, {})),
+      first_(new ProblemCard(
+          Tone::kWarn, tr("Gyroscopes come first"),
+          tr("The gyroscopes of this suit are not calibrated yet. Calibrate sources, accelerometers and "
+             "gyroscopes before the rest pose: what it finds rests on them."))),
       begin_(makeButton(ButtonKind::kPrimary, tr("Begin"))),
       anew_(makeButton(ButtonKind::kText, tr("Begin anew"))),
       distances_(makeButton(ButtonKind::kOutlined, tr("Choose the distances"), "ruler")),
@@ -40,8 +45,10 @@ WizardIntro::WizardIntro(CaptureContext& capture, QWidget* parent)
     column->addWidget(drawing_, 1);
     column->addWidget(sphere_, 1);
     makeWords();
-    column->addWidget(problem_);
-    problem_->hide();
+    for (ProblemCard* card : {problem_, first_}) {
+        column->addWidget(card);
+        card->hide();
+    }
     auto* buttons = addRow(column, 12);
     distances_->setTall(true);
     buttons->addWidget(distances_);
@@ -122,6 +129,9 @@ void WizardIntro::refresh() {
                                         .arg(QFileInfo(run_->distancesPath()).fileName())
                                   : tr("CSV with placement, kind, id, x_m, y_m, z_m, or with placement, "
                                        "source, board, distance_m"));
+    const Suit& suit = capture_.suit().suit();
+    const Calibration known = capture_.calibrations().inForce().value_or(Calibration{});
+    first_->setVisible(run_->task() == WizardTask::kRestPose && lackOf(suit, known).ofMostGyroscopes());
     showProblem();
 }
 
@@ -152,6 +162,10 @@ void WizardIntro::useDistances(const QString& path) {
 
 QString WizardIntro::problem() const {
     return problem_->isVisible() ? problem_->title() : QString();
+}
+
+QString WizardIntro::first() const {
+    return first_->isVisible() ? first_->title() : QString();
 }
 
 void WizardIntro::chooseDistances() {

@@ -21,6 +21,8 @@ TEST_F(WizardFailures, SpunOneWayOnlyIsSaidAndNotUsable) {
     ASSERT_TRUE(reach(Phase::kResult));
     EXPECT_EQ(run().result()->grade(), Grade::kNotUsable);
     EXPECT_EQ(page_->wizard().resultSide().saveButton()->text(), "Save and use it anyway");
+    EXPECT_EQ(page_->wizard().resultSide().saveButton()->kind(), ButtonKind::kOutlined);
+    EXPECT_EQ(page_->wizard().resultSide().repeatButton()->kind(), ButtonKind::kPrimary) << "is advised";
 }
 
 TEST_F(WizardFailures, DistancesInTheWrongUnitAreSaidInWords) {
