@@ -154,6 +154,22 @@ QStringList CalibrationShelf::strangers(const Calibration& calibration) const {
     return strangers;
 }
 
+bool CalibrationShelf::isOfAnotherSuit(const ShelvedCalibration& shelved) const {
+    if (shelved.file == fileInForce())
+        return false;
+    const std::string own = suit_.serial().toStdString();
+    for (const auto& [serial, file] : session_.session().suit_calibrations)
+        if (serial != own && file == shelved.file.toStdString())
+            return !own.empty();
+    // One board that was changed does not make another suit.
+    int same = 0, others = 0;
+    for (const Board& board : suit_.suit().boards)
+        if (const BoardCalibration* calibrated = shelved.calibration.findBoard(board.id);
+            calibrated && !calibrated->serial.empty() && !board.serial.empty())
+            ++(calibrated->serial == board.serial ? same : others);
+    return others > 0 && same == 0;
+}
+
 /// A suit that brought its own calibration keeps it until the session has one; one that brought none gets
 /// what earlier sessions found of its parts.
 void CalibrationShelf::hand() {

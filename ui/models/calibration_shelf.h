@@ -43,6 +43,9 @@ public:
     const std::optional<Calibration>& newer() const { return newer_; }
     /// Whose serial numbers are not those of the connected suit; empty: all fit, or nothing is connected.
     QStringList strangers(const Calibration& calibration) const;
+    /// Another suit's takes are made with it, or it knows other boards by the same names and none of the
+    /// connected suit's.
+    bool isOfAnotherSuit(const ShelvedCalibration& shelved) const;
 
     /// Writes "accelerometers-2026-11-22.json" and its report beside it and uses it. In words why not, else
     /// empty.

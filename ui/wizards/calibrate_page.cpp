@@ -384,6 +384,8 @@ void CalibratePage::showHistory() {
     use_.clear();
     const CalibrationShelf& shelf = studio_.calibrations();
     for (const ShelvedCalibration& one : shelf.all()) {
+        if (shelf.isOfAnotherSuit(one))
+            continue;
         auto* card = new Card;
         const bool in_force = one.file == shelf.fileInForce();
         card->setSelected(in_force);
@@ -410,7 +412,7 @@ void CalibratePage::showHistory() {
         use_.push_back(use);
         history_->addWidget(card);
     }
-    if (shelf.all().empty())
+    if (use_.empty())
         history_->addWidget(
             (new Label(
                  shelf.remembered()

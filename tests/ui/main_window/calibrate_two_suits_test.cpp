@@ -95,5 +95,18 @@ TEST_F(CalibrateTwoSuits, StepsOfAnUnfinishedCalibrationAreThoseOfTheirSuit) {
     EXPECT_TRUE(QFile::exists(take));
 }
 
+TEST_F(CalibrateTwoSuits, NobodyIsOfferedWhatWasCalibratedOfTheOther) {
+    CalibrationResult found;
+    found.calibration = nominalCalibration(studio_->suit().suit());
+    found.calibration.created_utc = "2026-03-01T10:00:00Z";
+    ASSERT_EQ(studio_->calibrations().save(found, "gyroscopes"), "");
+    EXPECT_EQ(page().useButtons().size(), 1u) << "Bob's own";
+    performer(0).click();
+    EXPECT_TRUE(page().useButtons().empty()) << "Ann has none";
+    ASSERT_EQ(studio_->calibrations().save(found, "gyroscopes"), "");
+    EXPECT_EQ(studio_->calibrations().all().size(), 2u) << "both lie in one folder";
+    EXPECT_EQ(page().useButtons().size(), 1u) << "not Bob's";
+}
+
 }  // namespace
 }  // namespace noctule::ui
