@@ -24,6 +24,14 @@
         <translation>%1 von %2 Teilen, %3, Stand: %4</translation>
     </message>
     <message>
+        <source>In use; where it comes from is not stated</source>
+        <translation>In Gebrauch; woher es stammt, ist nicht angegeben</translation>
+    </message>
+    <message>
+        <source>%1 of %2 parts in use; where they come from is not stated</source>
+        <translation>%1 von %2 Teilen in Gebrauch; woher sie stammen, ist nicht angegeben</translation>
+    </message>
+    <message>
         <source>Not calibrated yet</source>
         <translation>Noch nicht kalibriert</translation>
     </message>
@@ -2531,6 +2539,10 @@
     <message>
         <source>All parts of the suit have values that are recent enough. Check them with three seconds of standing still.</source>
         <translation>Alle Teile des Anzugs haben Werte, die neu genug sind. Sie mit drei Sekunden Stillstehen kontrollieren.</translation>
+    </message>
+    <message>
+        <source>All parts of the suit have values, but where they come from is not stated. Check them with three seconds of standing still.</source>
+        <translation>Alle Teile des Anzugs haben Werte, aber woher sie stammen, ist nicht angegeben. Sie mit drei Sekunden Stillstehen kontrollieren.</translation>
     </message>
     <message>
         <source>Prepare: %1</source>

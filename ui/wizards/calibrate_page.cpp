@@ -331,6 +331,7 @@ void CalibratePage::refresh() {
                              ? tr("Somebody can walk past the anchors now")
                              : tr("Needs a take in which somebody walks past the anchors"));
     room_card_->setButton(tr("Survey"), false);
+    bool is_stated = true;
     for (const auto& [task, card] : cards_) {
         if (task == WizardTask::kCheck) {
             card->setState(Tone::kNeutral, in_force ? tr("Against the calibration in force")
@@ -341,6 +342,7 @@ void CalibratePage::refresh() {
             card->button()->setDisabledBecause(in_force ? cannot : tr("There is no calibration to check."));
         } else {
             const TaskState state = stateOf(task, in_force, suit, now);
+            is_stated = is_stated && state.unstated == 0;
             if (is_exact)
                 card->setState(Tone::kOk, tr("Known exactly"));
             else
@@ -366,8 +368,10 @@ void CalibratePage::refresh() {
     else
         verdict_->setVerdict(
             Tone::kOk, tr("Calibrated"),
-            tr("All parts of the suit have values that are recent enough. Check them with three "
-               "seconds of standing still."));
+            is_stated ? tr("All parts of the suit have values that are recent enough. Check them with three "
+                           "seconds of standing still.")
+                      : tr("All parts of the suit have values, but where they come from is not stated. Check "
+                           "them with three seconds of standing still."));
     way_on_->setText(next_ ? tr("Prepare: %1").arg(wordsOf(*next_).title) : tr("Continue to Record"));
     export_->setDisabledBecause(in_force ? QString() : tr("There is no calibration to export."));
     showNewer();

@@ -14,11 +14,12 @@ namespace noctule::ui {
 
 struct TaskState {
     int made = 0, parts = 0;
+    int unstated = 0;  ///< parts with values, but without a record of when and how good
     QDateTime oldest;
     QString worst;  ///< "good", "usable", "not usable"
     bool is_old = false;
 
-    bool isComplete() const { return parts > 0 && made == parts; }
+    bool isComplete() const { return parts > 0 && made + unstated == parts; }
     Tone tone() const;
     QString words() const;
 };

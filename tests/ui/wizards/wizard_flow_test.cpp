@@ -7,6 +7,7 @@
 #include "core/formats/bvh.h"
 #include "tests/support/guided_motion.h"
 #include "ui/wizards/rig_drawing.h"
+#include "ui/wizards/task_card.h"
 
 namespace noctule::ui {
 namespace {
@@ -56,6 +57,9 @@ TEST_F(WizardFlow, Gyroscopes) {
 
 TEST_F(WizardFlow, RestPose) {
     connectRig({"--rig", "rest"});
+    page_->open(WizardTask::kRestPose);
+    EXPECT_EQ(page_->wizard().intro().first(), "Gyroscopes come first");
+    page_->closeWizard();
     open(WizardTask::kRestPose);
     const auto hand_m = [](const BodyFigure& figure) {
         Board hand;
@@ -77,6 +81,10 @@ TEST_F(WizardFlow, RestPose) {
     page_->closeWizard();
     EXPECT_FALSE(page_->startButton(WizardTask::kCheck)->isEnabled()) << "gyroscopes are not calibrated";
     useLaboratorysCalibration({"--rig", "rest"});
+    EXPECT_EQ(page_->card(WizardTask::kGyroscopes).state(), "In use; where it comes from is not stated");
+    page_->open(WizardTask::kRestPose);
+    EXPECT_EQ(page_->wizard().intro().first(), "");
+    page_->closeWizard();
     clicks_ = 0;
     open(WizardTask::kCheck);
     ASSERT_TRUE(reach(Phase::kResult)) << heard();
