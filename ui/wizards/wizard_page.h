@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 
+#include "ui/models/studio.h"
 #include "ui/wizards/wizard_run.h"
 
 namespace noctule::ui {
