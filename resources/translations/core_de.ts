@@ -731,10 +731,6 @@
         <translation>Für ein besseres Ergebnis den Drehteller um ein drittel Grad neigen und wiederholen</translation>
     </message>
     <message>
-        <source>Turn the six sides one soon after the other, each evenly for nine seconds or more</source>
-        <translation>Die sechs Seiten bald nacheinander drehen lassen, jede neun Sekunden oder länger gleichmäßig</translation>
-    </message>
-    <message>
         <source>Of %1 boards the zeros are known to %2 °/s and the slopes to %3 %</source>
         <translation>Von %1 Platinen sind die Nullpunkte auf %2 °/s und die Steigungen auf %3 % bekannt</translation>
     </message>
@@ -777,6 +773,10 @@
     <message>
         <source>Turn it with its +%1 side up and again with its -%2 side up</source>
         <translation>Sie mit ihrer Seite +%1 nach oben drehen und noch einmal mit ihrer Seite -%2 nach oben</translation>
+    </message>
+    <message>
+        <source>Turn the six sides one soon after the other, each evenly for nine seconds or more</source>
+        <translation>Die sechs Seiten bald nacheinander drehen lassen, jede neun Sekunden oder länger gleichmäßig</translation>
     </message>
     <message>
         <source>faster</source>
