@@ -62,10 +62,11 @@ run_jobs() {
 }
 run_tidy() {
     local base=${NOCTULE_BASE:-origin/main}
-    cmake --preset dev >/dev/null || return 1
+    cmake --preset dev -B build/tidy -D CMAKE_C_COMPILER=clang -D CMAKE_CXX_COMPILER=clang++ \
+        -D CMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null || return 1
     mapfile -t files < <(git diff --name-only --diff-filter=d "$base" -- 'core/*.cpp' 'devices/*.cpp' 'app/*.cpp')
     [ ${#files[@]} -gt 0 ] || { echo "no source differs from $base"; return 0; }
-    clang-tidy -p build/dev --warnings-as-errors='*' "${files[@]}"
+    clang-tidy -p build/tidy --quiet --warnings-as-errors='*' "${files[@]}"
 }
 run_odr() {
     cmake --fresh --preset package -B build/odr -D CMAKE_C_COMPILER=gcc -D CMAKE_CXX_COMPILER=g++ \
