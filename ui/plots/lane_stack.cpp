@@ -175,6 +175,8 @@ QSize LaneStack::minimumSizeHint() const {
 int LaneStack::leastLaneHeight() const {
     const int least = Theme::get().px(PlotLane::kLeastHeight);
     const int seen = parentWidget() ? parentWidget()->height() : 0, fitting = std::max(1, seen / least);
+    if (std::ssize(lanes()) <= fitting)
+        return least;
     return std::max(least, (seen + fitting - 1) / fitting);
 }
 

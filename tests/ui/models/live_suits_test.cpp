@@ -240,7 +240,7 @@ TEST_F(LiveSuitsTest, SuitsThatCannotBeToldApartAreRefusedInWords) {
     EXPECT_TRUE(carrier.contains("Performer 1 (NB-000001) and Performer 2 (NB-000002) both sound at 40 kHz"))
         << carrier.toStdString();
     EXPECT_TRUE(carrier.contains("another carrier"));
-    EXPECT_TRUE(carrier.contains("in its firmware (virtual suits: start both from one --cast)"));
+    EXPECT_TRUE(carrier.contains("in its firmware")) << carrier.toStdString();
     second().suit.disconnectSuit();
     EXPECT_FALSE(suits_->whyNotTogether());
     bob_ = makeBox("NB-000001", 48000);

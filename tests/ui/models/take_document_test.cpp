@@ -181,7 +181,7 @@ TEST_F(TakeDocumentTest, APartThatIsTornMakesTheTakeDamaged) {
 }
 
 TEST_F(TakeDocumentTest, DamageIsFoundWhileTheTakeIsOpened) {
-    noctule::test::damageRowsOf(path(), "reference");
+    noctule::test::damageRowsOf(path(), "marker");
     QSignalSpy torn(&document_, &TakeDocument::torn);
     ASSERT_TRUE(openAndWait());
     EXPECT_TRUE(document_.isDamaged());

@@ -189,7 +189,8 @@ TEST_F(PlotPanelTest, TheCursorIsOneLineThroughAllLanes) {
     const int x = at(1).x();
     const QColor line = Theme::get().tokens().t1;
     for (const PlotLane* lane : panel_->lanes()) {
-        EXPECT_EQ(picture.pixelColor(x, lane->y() + 3), line) << lane->y();  // where no dot lies on it
+        const int below_title = lane->y() + Theme::get().px(PlotLane::kTitleRow);
+        EXPECT_EQ(picture.pixelColor(x, below_title + 1), line) << lane->y();  // where no dot lies on it
         EXPECT_EQ(lane->canvas().left(), panel_->lanes()[0]->canvas().left());
     }
 }
