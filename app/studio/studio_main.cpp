@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QSettings>
+#include <QTimer>
 #include <clocale>
 #include <cstdio>
 #include <cstdlib>
@@ -125,10 +126,13 @@ int runStudio(int argc, char** argv) {
                      [&windows] { windows.window()->endInGoodOrder(); });
     studio.finder().start();
     studio.remoteStart().begin();
-    if (application.arguments().size() > 1)
-        window.open(QFileInfo(application.arguments().at(1)).absoluteFilePath());
-    else
-        window.offerTour();
+    // Within the event loop, which alone can be left by who closes the window meanwhile, or asks for the end.
+    QTimer::singleShot(0, &window, [&window, named = application.arguments().mid(1)] {
+        if (!named.isEmpty())
+            window.open(QFileInfo(named.first()).absoluteFilePath());
+        else
+            window.offerTour();
+    });
     if (const QString problem = studio.remoteStart().problem(); !problem.isEmpty())
         emit studio.warned(problem, ui::About::kCapture);
     const int code = QApplication::exec();

@@ -174,6 +174,8 @@ Result<CalibrationResult> calibrateGyroscopes(const CalibrateRequest& request, d
     if (!evidence)
         return evidence.error();
     silence(request.left_out, evidence->takes);
+    // A zero wanders from each to the one that came next.
+    std::ranges::stable_sort(evidence->takes, {}, &Observations::began_s);
     const GyroscopeReport report = calibrateGyroscopes(evidence->takes, rpm);
     return resultOf(report, request, *evidence, "gyroscopes", report.applied(evidence->base));
 }
