@@ -109,7 +109,7 @@ TEST(GyroscopeCalibration, SixTurnsGiveZeroAndSlopeOfEveryBoard) {
         ++measured;
         for (const Finding& finding : report.findings)
             ADD_FAILURE() << "seed " << seed << ": " << finding.what;
-        speed_nees += std::pow((report.rpm - trueSpeed_rpm(*take)) / report.rpm, 2);
+        speed_nees += std::pow((report.rpm - trueSpeed_rpm(*take)) / report.sigma_rpm, 2);
         EXPECT_LT(std::abs(report.rpm / trueSpeed_rpm(*take) - 1), kGyroSlopeLimit) << "seed " << seed;
         EXPECT_NEAR(report.wander_rad_per_s_per_sqrt_s, 2e-4, 8e-5);
         for (size_t b = 0; b < 18; ++b) {
@@ -191,7 +191,7 @@ TEST(GyroscopeCalibration, OnALevelTableTheNominalSpeedCounts) {
     const GyroscopeReport report = calibrateGyroscopes({take.observations}, 0);
     EXPECT_FALSE(report.speed_measured);
     EXPECT_EQ(report.rpm, 45);
-    EXPECT_NEAR(report.rpm, 0.045, 1e-9);
+    EXPECT_NEAR(report.sigma_rpm, 0.045, 1e-9);
     const Finding finding = test::onlyFinding(report.findings, "");
     EXPECT_EQ(finding.grade, Grade::kUsable);
     EXPECT_TRUE(finding.what.find("45 rpm counts") != std::string::npos) << finding.what;
