@@ -28,7 +28,8 @@ public:
 
     /// Begins at sample 0, which is taken at that instant (nowNs()).
     virtual Status restart(int64_t begin_ns) = 0;
-    /// What it hears depends on that instant, for others hear it too: its clock must never stand still.
+    /// What it hears depends on that instant, for others hear it too: should its clock stand still, it no
+    /// longer agrees with theirs.
     virtual bool isTimed() const { return false; }
     /// In rising order; a hole is a gap. Nothing: all has been played.
     virtual Result<std::optional<SoundBlock>> next() = 0;

@@ -11,11 +11,15 @@
 namespace noctule {
 
 struct Finding {
-    Grade grade = Grade::kUsable;  ///< what it makes of the whole
-    std::string part;              ///< id of the board or source; empty: of all
-    std::string what;              ///< a whole sentence without its full stop; names the part
-    std::string remedy;            ///< what to repeat or to mend, one sentence without its full stop
+    Grade grade = Grade::kUsable;      ///< what it makes of the whole
+    std::string part;                  ///< id of the board or source; empty: of several, or of all
+    std::string what;                  ///< a whole sentence without its full stop; names the part
+    std::string remedy;                ///< what to repeat or to mend, one sentence without its full stop
+    std::vector<std::string> parts{};  ///< ids, when it is of several; empty: of `part`, or of all
 
+    bool concerns(const std::string& id) const {
+        return parts.empty() ? part.empty() || part == id : std::ranges::find(parts, id) != parts.end();
+    }
     bool operator==(const Finding&) const = default;
 };
 

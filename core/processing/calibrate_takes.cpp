@@ -62,11 +62,11 @@ Result<Evidence> gather(const CalibrateRequest& request, const JobContext& job) 
     return evidence;
 }
 
-/// The worst finding of the part, or of all parts together.
+/// The worst finding that concerns the part.
 Grade gradeOfPart(const std::vector<Finding>& findings, const std::string& id) {
     Grade worst = Grade::kGood;
     for (const Finding& finding : findings)
-        if (finding.part == id || finding.part.empty())
+        if (finding.concerns(id))
             worst = std::max(worst, finding.grade);
     return worst;
 }

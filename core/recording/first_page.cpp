@@ -125,9 +125,14 @@ Status mendFirstPage(const std::string& path) {
     std::ifstream first(list, std::ios::binary);
     std::string page = readAt(first, 0, page_bytes);
     std::error_code ignored;
+    // A list that is longer than a page leads to others, which are something else here.
+    const bool is_one_page =
+        std::filesystem::file_size(list, ignored) == static_cast<std::uintmax_t>(page_bytes);
     std::filesystem::remove(list, ignored);
     if (!written)
         return written;
+    if (!is_one_page)
+        return nothing;
     constexpr size_t kPageCountAt = 28;
     const auto pages =
         static_cast<uint64_t>(std::filesystem::file_size(path, ignored)) / static_cast<uint64_t>(page_bytes);

@@ -222,9 +222,12 @@ void measureSound(const Database& database, TakeLosses& losses) {
             database.queryInteger("SELECT CAST(value AS INTEGER) FROM main.meta WHERE key='" + key + "'");
         return value ? value->value_or(0) : 0;
     };
-    const int64_t rate_hz = meta("sample_rate_hz"), whole = meta("sample_count");
+    const int64_t rate_hz = meta("sample_rate_hz");
     const auto suits = database.queryInteger("SELECT count(DISTINCT suit) FROM main.adc_block");
     const auto samples = database.queryInteger("SELECT sum(sample_count) FROM main.adc_block");
+    // What was never recorded is not lost.
+    const auto holes = database.queryInteger("SELECT sum(sample_count) FROM main.gap WHERE board IS NULL");
+    const int64_t whole = meta("sample_count") - (holes ? holes->value_or(0) : 0);
     if (rate_hz < 1 || whole < 1 || !suits || suits->value_or(0) > 1 || !samples)
         return;
     losses.whole_sound_s = static_cast<double>(whole) / static_cast<double>(rate_hz);
@@ -258,9 +261,9 @@ Result<TakeLosses> copyTables(const Database& database, const std::string& torn,
         copied += rows->saved;
         if (rows->lost != 0)
             losses.tables.push_back(*rows);
-        if (table.name == "adc_block" && rows->lost != 0)
-            measureSound(database, losses);
     }
+    if (std::ranges::find(losses.tables, "adc_block", &TableLoss::table) != losses.tables.end())
+        measureSound(database, losses);
     if (copied > 0)
         return losses;
     return losses.may_have_had_more ? beginningGone(torn) : nothingReadable(torn);

@@ -226,33 +226,32 @@ private:
 
     /// One cause, so one finding: the boards turned together.
     void sayUncertain(Grade grade) {
-        size_t count = 0;
+        std::vector<std::string> ids;
         const UncertainBoard* one = nullptr;
         double zero = 0, slope = 0;
+        const auto orInfinite = [](double sigma) { return std::isfinite(sigma) ? sigma : INFINITY; };
         for (const UncertainBoard& board : uncertain_)
             if (board.grade == grade) {
-                ++count;
+                ids.push_back(board.record->id);
                 one = &board;
-                // What is not finite counts as more.
-                if (!(board.zero_rad_per_s <= zero))
-                    zero = board.zero_rad_per_s;
-                if (!(board.slope <= slope))
-                    slope = board.slope;
+                zero = std::max(zero, orInfinite(board.zero_rad_per_s));
+                slope = std::max(slope, orInfinite(board.slope));
             }
         const char* const remedy =
             "Turn the six sides one soon after the other, each evenly for nine seconds or more";
-        if (count == 1)
+        if (ids.size() == 1)
             report_.findings.push_back({grade, one->record->id,
                                         text::capitalised(one->record->words) + ": its zero is known to " +
                                             text::number(degrees(zero), 3) + " °/s and its slope to " +
                                             text::number(100 * slope, 2) + " %",
                                         remedy});
-        else if (count > 1)
+        else if (ids.size() > 1)
             report_.findings.push_back({grade, "",
-                                        "Of " + std::to_string(count) + " boards the zeros are known to " +
+                                        "Of " + std::to_string(ids.size()) +
+                                            " boards the zeros are known to " +
                                             text::number(degrees(zero), 3) + " °/s and the slopes to " +
                                             text::number(100 * slope, 2) + " %",
-                                        remedy});
+                                        remedy, ids});
     }
 
     struct UncertainBoard {

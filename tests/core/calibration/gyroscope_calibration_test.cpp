@@ -249,6 +249,9 @@ TEST(GyroscopeCalibration, TurnsThatAreTakesOfTheirOwnAreSurerWhenTheyWereTakenI
     const Finding finding = test::onlyFinding(apart.findings, "");
     EXPECT_TRUE(finding.what.starts_with("Of 3 boards the zeros are known to ")) << finding.what;
     EXPECT_EQ(finding.grade, Grade::kUsable);
+    for (const Board& board : takes[0].suit.boards)
+        EXPECT_TRUE(finding.concerns(board.id));
+    EXPECT_FALSE(finding.concerns("somebody_else")) << "the others keep their grade";
 }
 
 GyroscopeReport withoutTurns(const std::vector<std::string>& sides) {
