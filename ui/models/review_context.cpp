@@ -58,14 +58,15 @@ void ReviewContext::tellTorn(int index) {
 
 void ReviewContext::openLoose(const QString& path) {
     emit shared_.settled(About::kFile);
+    const int asked = ++asked_;
     shared_.jobs().start<Done>(
         TakeDocument::tr("Opening %1").arg(QFileInfo(path).fileName()),
         [path](const JobContext&) -> Status {
             const auto take = Take::open(path.toStdString());
             return take ? Status(Done{}) : Status(take.error());
         },
-        [here = QPointer(&here_), this, path](const Status& is_take) -> QString {
-            if (!here || (!is_take && is_take.error().kind == ErrorKind::kCancelled))
+        [here = QPointer(&here_), this, path, asked](const Status& is_take) -> QString {
+            if (!here || asked != asked_ || (!is_take && is_take.error().kind == ErrorKind::kCancelled))
                 return {};
             if (is_take) {
                 showLoose(path);
@@ -139,6 +140,8 @@ void ReviewContext::followTake() {
 
 /// The take chosen in the session is the one under review; a damaged one is listed only.
 void ReviewContext::openChosenTake(int index) {
+    if (index >= 0)
+        ++asked_;
     const SessionModel& session = shared_.session();
     const SessionTake* chosen = index < 0 ? nullptr : &session.session().takes[static_cast<size_t>(index)];
     // Read while its file is replaced it would not be there.

@@ -42,6 +42,7 @@ private:
     TimeCursor time_;
     Selection selection_;
     TakeDocument take_;
+    int asked_ = 0;  ///< a file that was asked for before another take does not take its place
     TakeChanges changes_;
     MarkerEditor markers_;
     ContactEditor contacts_;

@@ -78,7 +78,7 @@ Tone TaskState::tone() const {
         return unstated == 0 || isComplete() ? Tone::kNeutral : Tone::kWarn;
     if (worst == "not usable")
         return Tone::kError;
-    return !isComplete() || is_old || worst != "good" ? Tone::kWarn : Tone::kOk;
+    return made < parts || is_old || worst != "good" ? Tone::kWarn : Tone::kOk;
 }
 
 QString TaskState::words() const {

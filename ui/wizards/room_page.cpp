@@ -88,14 +88,16 @@ void RoomPage::connectParts() {
     connect(walk_, &RoomWalk::ticked, this, &RoomPage::showTime);
     connect(walk_, &RoomWalk::ended, this, &RoomPage::openWalked);
     connect(&studio_.suits(), &LiveSuits::changed, this, [this] {
-        const std::pair now(walk_->phase(), walk_->whyNotBegin());
+        const std::tuple now(walk_->phase(), walk_->whyNotBegin(), walk_->caution());
         if (std::exchange(readiness_, now) != now)
             refreshReadiness();
     });
-    connect(&studio_.take(), &TakeDocument::failed, this, [this] {
+    const auto giveUp = [this] {
         opens_walked_ = false;
         refresh();
-    });
+    };
+    connect(&studio_.take(), &TakeDocument::failed, this, giveUp);
+    connect(&studio_.take(), &TakeDocument::torn, this, giveUp);
     connect(walk_button_, &QPushButton::clicked, this, &RoomPage::pressWalk);
     connect(survey_, &QPushButton::clicked, run_, &RoomRun::survey);
     connect(use_, &QPushButton::clicked, run_, &RoomRun::use);
@@ -178,6 +180,7 @@ void RoomPage::pressWalk() {
         return walk_->end();
     follows_walk_ = true;
     opens_walked_ = false;
+    walked_.clear();
     walk_->begin();
     if (!walk_->isRunning())
         emit studio_.failed(tr("The walk did not begin"), walk_->trouble(), About::kCapture);
@@ -196,10 +199,10 @@ void RoomPage::openWalked(const QString& take) {
 }
 
 void RoomPage::followRun() {
-    if (opens_walked_ && studio_.take().path() == walked_ && run_->phase() == RoomRun::Phase::kReady) {
-        opens_walked_ = false;
+    // Whatever take was opened, the walk's is no longer waited for.
+    const bool opened_walked = studio_.take().isOpen() && std::exchange(opens_walked_, false);
+    if (opened_walked && studio_.take().path() == walked_ && run_->phase() == RoomRun::Phase::kReady)
         return run_->survey();
-    }
     refresh();
 }
 

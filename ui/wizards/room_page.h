@@ -5,6 +5,7 @@
 #pragma once
 
 #include <QWidget>
+#include <tuple>
 
 #include "ui/wizards/room_cards.h"
 #include "ui/wizards/room_run.h"
@@ -76,8 +77,9 @@ private:
     RoomWalk* walk_;
     bool follows_walk_ = false;  ///< its take is opened when it has ended
     bool opens_walked_ = false;
-    QString walked_;                                 ///< take of the last walk
-    std::pair<RoomWalk::Phase, QString> readiness_;  ///< and why a walk cannot begin, as shown last
+    QString walked_;  ///< take of the last walk
+    /// Why a walk cannot begin, and what makes its result worse, as shown last.
+    std::tuple<RoomWalk::Phase, QString, QString> readiness_;
     Label *lead_, *headline_, *note_;
     EmptyState* empty_;
     QWidget *found_, *walk_row_ = nullptr, *side_ = nullptr;
