@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/views/export/export_settings.h"
-
 #include <gtest/gtest.h>
 
 #include <QSettings>
+
+#include "ui/views/export/export_settings.h"
 
 namespace noctule::ui {
 namespace {
