@@ -12,6 +12,7 @@
 #include <QTcpSocket>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 
 #include "core/math/rotation.h"
 #include "core/recording/take_edit.h"
@@ -162,6 +163,23 @@ protected:
         page_->state().wayOn().click();
         ASSERT_TRUE(comesTo(RobotWord::kFollowing));
     }
+    /// The operator lets the robot follow again whenever it held, as it may where no core was free for it.
+    void acceptWhenReady() {
+        if (drive_->word() == RobotWord::kReady)
+            page_->state().wayOn().click();
+    }
+    bool followsAgainAfter(double seconds) {
+        const double until_s = drive_->moments().back().time_s + seconds;
+        return waitFor([&] {
+            acceptWhenReady();
+            return drive_->moments().back().time_s > until_s && drive_->word() == RobotWord::kFollowing;
+        });
+    }
+    size_t momentsIn(double from_s, double to_s) const {
+        return static_cast<size_t>(std::ranges::count_if(drive_->moments(), [&](const RobotMoment& moment) {
+            return moment.time_s > from_s && moment.time_s <= to_s;
+        }));
+    }
     /// The largest speed of a joint from one command to the next, as a share of its limit.
     double largestSpeed() const {
         double largest = 0;
@@ -188,7 +206,7 @@ TEST_F(RobotPageTest, ATakeLeadsTheRobotWhileTheKeyIsHeld) {
     page_->center().play();
     ASSERT_TRUE(waitFor([this] { return drive_->handPaths(0).tracking.has_value(); }));
     ASSERT_TRUE(waitFor([this] { return page_->center().figure(1) != QStringLiteral("–"); }));
-    ASSERT_TRUE(waitFor([this] { return drive_->moments().back().time_s > 4; }));
+    ASSERT_TRUE(followsAgainAfter(3));
     const auto tracking = drive_->handPaths(0).tracking;
     ASSERT_TRUE(tracking);
     EXPECT_GT(tracking->delay_s, 0.08) << "80 ms until a command is heard, and 20 ms of lag";
@@ -214,11 +232,14 @@ TEST_F(RobotPageTest, ADriveIsRecordedIntoTheTakeThatLeads) {
     page_->center().record().click();
     ASSERT_TRUE(drive_->isRecording());
     EXPECT_EQ(page_->center().record().text(), "Stop recording");
+    ASSERT_TRUE(followsAgainAfter(0)) << "what was commanded before the click is told";
     const double from_s = drive_->moments().back().time_s;
-    ASSERT_TRUE(waitFor([&] { return drive_->moments().back().time_s > from_s + 3; }));
+    ASSERT_TRUE(followsAgainAfter(3));
+    const double to_s = drive_->moments().back().time_s;
     page_->center().record().click();
     EXPECT_FALSE(drive_->isRecording());
     EXPECT_EQ(drive_->word(), RobotWord::kFollowing) << "the robot goes on";
+    ASSERT_TRUE(followsAgainAfter(0.1)) << "the keys are still held";
     ASSERT_TRUE(waitFor([this] { return !drive_->recordedPaths().commanded.empty(); }));
     ASSERT_TRUE(drive_->recordedPaths().tracking);
     EXPECT_GT(drive_->recordedPaths().tracking->delay_s, 0.08);
@@ -230,7 +251,7 @@ TEST_F(RobotPageTest, ADriveIsRecordedIntoTheTakeThatLeads) {
     ASSERT_TRUE(drives);
     ASSERT_EQ(drives->size(), 1U);
     EXPECT_EQ(drives->front().leader, "take");
-    EXPECT_GT(take->robotCommands(drives->front())->size(), 350U);
+    EXPECT_GE(take->robotCommands(drives->front())->size(), momentsIn(from_s, to_s));
 }
 
 TEST_F(RobotPageTest, ATakeOfTheSuitThatLeadsHoldsTheRobotToo) {
