@@ -17,7 +17,7 @@ struct Candidate {
     std::string path;
     bool is_named = false;  ///< on the command line, not found in a folder
     Condition condition = Condition::kFinished;
-    std::optional<Error> error{};  ///< why it is unreadable
+    std::optional<Error> error{};  ///< why it is unreadable or damaged
 };
 
 bool isRecording(const Take& take) {
@@ -25,15 +25,19 @@ bool isRecording(const Take& take) {
     return state != take.meta().end() && state->second == "recording";
 }
 
-Candidate lookAt(const std::string& path, bool is_named) {
+Result<Candidate> lookAt(const std::string& path, bool is_named, const JobContext& job) {
     Candidate candidate{path, is_named};
     {
         const Result<Take> take = Take::open(path);
         if (take && !isRecording(*take)) {
             // It may be damaged where nothing was read to open it. Of folders that would take long.
-            if (const Status sound = is_named ? checkIntegrity(path) : Status(Done{});
-                !sound && sound.error().is_damage)
+            const Status sound = is_named ? checkIntegrity(path, job) : Status(Done{});
+            if (!sound && sound.error().kind == ErrorKind::kCancelled)
+                return sound.error();
+            if (!sound && sound.error().is_damage) {
                 candidate.condition = Condition::kDamaged;
+                candidate.error = sound.error();
+            }
             return candidate;
         }
         if (!take && !isThere(path + "-wal")) {
@@ -53,7 +57,7 @@ std::string recoveredPath(const std::string& path) {
 }
 
 /// All that are named; of folders, also in takes/ of a session's folder, those that are not finished.
-Result<std::vector<Candidate>> candidates(const std::vector<std::string>& operands) {
+Result<std::vector<Candidate>> candidates(const std::vector<std::string>& operands, const JobContext& job) {
     std::vector<Candidate> found;
     for (const std::string& operand : operands) {
         std::error_code ignored;
@@ -61,14 +65,18 @@ Result<std::vector<Candidate>> candidates(const std::vector<std::string>& operan
             if (!isThere(operand))
                 return Error{ErrorKind::kUnreadable, operand + ": there is no such file or folder",
                              "Check the path"};
-            found.push_back(lookAt(operand, true));
+            Result<Candidate> named = lookAt(operand, true, job);
+            if (!named)
+                return named.error();
+            found.push_back(std::move(*named));
             continue;
         }
         for (const fs::path& folder : {fs::path(operand), fs::path(operand) / "takes"})
             for (const std::string& file : takeFilesIn(folder))
-                if (Candidate take = lookAt((folder / file).string(), false);
-                    take.condition == Condition::kBrokeOff || take.condition == Condition::kBeingRecorded)
-                    found.push_back(std::move(take));
+                if (Result<Candidate> take = lookAt((folder / file).string(), false, job);
+                    take &&
+                    (take->condition == Condition::kBrokeOff || take->condition == Condition::kBeingRecorded))
+                    found.push_back(std::move(*take));
     }
     return found;
 }
@@ -90,15 +98,16 @@ nlohmann::json lossesJson(const TakeLosses& losses) {
     return all;
 }
 
-Result<Outcome> recoverNow(const std::string& path, const std::string& target, const JobContext& job) {
-    const Result<Recovery> recovered = recoverTake(path, target, job);
+Result<Outcome> recoverNow(const Candidate& take, const std::string& target, const JobContext& job) {
+    const std::string& path = take.path;
+    const Result<Recovery> recovered = recoverTake(path, target, job, take.error);
     if (!recovered)
         return recovered.error();
     nlohmann::json duration_s;
     char seconds[32] = "";
-    if (const Result<Take> take = Take::open(target); take && take->duration_s()) {
-        duration_s = *take->duration_s();
-        std::snprintf(seconds, sizeof seconds, "%.2f s ", *take->duration_s());
+    if (const Result<Take> saved = Take::open(target); saved && saved->duration_s()) {
+        duration_s = *saved->duration_s();
+        std::snprintf(seconds, sizeof seconds, "%.2f s ", *saved->duration_s());
     }
     Outcome outcome{
         {{"take", path}, {"state", "recovered"}, {"recovered", target}, {"duration_s", duration_s}},
@@ -128,14 +137,14 @@ Result<Outcome> recoverOne(const Candidate& take, const JobContext& job) {
             break;
     }
     if (take.is_named || !isThere(target))
-        return recoverNow(take.path, target, job);
+        return recoverNow(take, target, job);
     Outcome before = leftAlone(take, "recovered before", "was recovered before, see " + target);
     before.json["recovered"] = target;
     return before;
 }
 
 Result<Outcome> runRecover(const VerbContext& context) {
-    const auto takes = candidates(context.arguments.operands());
+    const auto takes = candidates(context.arguments.operands(), context.job());
     if (!takes)
         return takes.error();
     Outcome all{{{"takes", nlohmann::json::array()}}, "", std::nullopt};

@@ -7,6 +7,7 @@
 
 #include "core/job/job.h"
 #include "core/job/limits.h"
+#include "core/recording/read_watch.h"
 #include "core/recording/sqlite_error.h"
 
 namespace noctule {
@@ -90,6 +91,11 @@ Status Database::tolerateDamage() {
     return Done{};
 }
 
+void Database::watchReading(const JobContext& job, const std::string& stage) {
+    watch_->cancel = job.cancel;
+    read_watch_ = noctule::watchReading(handle_.get(), job, stage);
+}
+
 void Database::Closer::operator()(sqlite3* handle) const {
     sqlite3_close_v2(handle);
 }
@@ -130,11 +136,11 @@ Result<Database> Database::open(const std::string& path, Access access, const Wa
     return openWith(path, immutableUri(path), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, waiting);
 }
 
-Result<Database> Database::create(const std::string& path) {
+Result<Database> Database::create(const std::string& path, const Waiting& waiting) {
     std::error_code status_error;
     if (std::filesystem::exists(path, status_error))
         return Error{ErrorKind::kDisk, path + ": exists already", "Choose another name"};
-    Result<Database> database = openWith(path, path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+    Result<Database> database = openWith(path, path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, waiting);
     if (!database.ok())
         return Error{ErrorKind::kDisk, database.error().message, database.error().remedy};
     return database;

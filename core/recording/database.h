@@ -24,6 +24,8 @@ namespace noctule {
 enum class Access { kRead, kReadWrite };
 
 class CancelFlag;
+struct JobContext;
+struct ReadWatch;
 
 /// For a file that another program holds, and for long walks.
 struct Waiting {
@@ -38,8 +40,11 @@ public:
     /// Opens an existing file. kRead also works where nothing can be written beside it.
     static Result<Database> open(const std::string& path, Access access, const Waiting& waiting = {});
     /// Makes a new, empty file; the path must not exist.
-    static Result<Database> create(const std::string& path);
+    static Result<Database> create(const std::string& path, const Waiting& waiting = {});
     void setPatience_s(double patience_s);
+    /// From now on `job` is told which part of the file has been read, and what it cancels ends at the next
+    /// page.
+    void watchReading(const JobContext& job, const std::string& stage);
     /// Reads files that are shorter than they say, and what is sound of a schema that is not. Only for rows
     /// of a damaged file that is a copy.
     Status tolerateDamage();
@@ -86,6 +91,7 @@ private:
     void harden(const Waiting& waiting);
 
     std::unique_ptr<Watch> watch_ = std::make_unique<Watch>();  ///< outlives the handle, which refers to it
+    std::shared_ptr<ReadWatch> read_watch_;                     ///< likewise
     std::unique_ptr<sqlite3, Closer> handle_;
     std::string path_;
     std::string name_;

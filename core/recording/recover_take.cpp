@@ -17,14 +17,17 @@
 
 namespace noctule {
 
-Status checkIntegrity(const std::string& path) {
-    Result<Database> database = Database::open(path, Access::kRead);
+Status checkIntegrity(const std::string& path, const JobContext& job) {
+    Result<Database> database = Database::open(path, Access::kRead, {job.cancel});
     if (!database)
         return database.error();
+    database->watchReading(job, "Checking");
     Result<Statement> check = database->prepare("PRAGMA integrity_check(1)");
     if (!check)
         return check.error();
     const Result<bool> row = check->step();
+    if (job.cancelled())  // which may look like damage
+        return JobContext::cancelledError();
     if (!row)
         return row.error();
     const std::string verdict = *row ? check->text(0).value_or("") : "";
@@ -67,8 +70,7 @@ struct SavedAside {
 Status finishWhole(TakeCopy& copy, const JobContext& job) {
     if (const Status folded = copy.foldLog(); !folded)
         return folded;
-    job.progress(1, "Checking");
-    if (const Status sound = checkIntegrity(copy.path()); !sound)
+    if (const Status sound = checkIntegrity(copy.path(), job); !sound)
         return sound;
     return markRecovered(copy.path());
 }
@@ -95,12 +97,12 @@ Result<TakeLosses> saveReadable(TakeCopy& copy, const std::string& saved_path, c
 }  // namespace
 
 Result<Recovery> recoverTake(const std::string& recording, const std::string& recovered_path,
-                             const JobContext& job) {
+                             const JobContext& job, const std::optional<Error>& damage) {
     // Of a copy: reading a file with a log beside it writes into it.
     Result<TakeCopy> copy = TakeCopy::make(recording, recovered_path, job);
     if (!copy)
         return copy.error();
-    const Status whole = finishWhole(*copy, job);
+    const Status whole = damage ? Status(*damage) : finishWhole(*copy, job);
     if (whole) {
         if (const Status published = copy->publish(false); !published)
             return published.error();

@@ -17,12 +17,13 @@ using Recovery = std::optional<TakeLosses>;
 
 /// Of a damaged one, finished or not: a take of all rows that can be read. kUsage when something stands at
 /// `recovered_path`, kUnreadable when nothing can be read.
-/// A recording that is being written would come out torn: ask isBeingWritten() first.
+/// A recording that is being written would come out torn: ask isBeingWritten() first. `damage`: why it is
+/// known to be damaged, so that it need not be checked.
 Result<Recovery> recoverTake(const std::string& recording, const std::string& recovered_path,
-                             const JobContext& job);
+                             const JobContext& job, const std::optional<Error>& damage = std::nullopt);
 
 /// SQLite's own look at every page and index. Error::is_damage: recoverTake() saves what can be read.
-Status checkIntegrity(const std::string& path);
+Status checkIntegrity(const std::string& path, const JobContext& job);
 
 /// Whether anybody, this process included, has the take open with its write-ahead log; yes when that cannot
 /// be found out. Safe to ask about a take that this process is writing.

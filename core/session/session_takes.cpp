@@ -203,11 +203,17 @@ Result<Recovery> recoverTake(Session& session, const std::string& name, const Jo
     SessionTake& take = session.takes[static_cast<size_t>(index)];
     const std::string recording = session.pathOf(take).string();
     // A finished one may be damaged where nobody looked when it was opened.
-    if (!take.canRecover())
-        if (const Status sound = checkIntegrity(recording); sound || !sound.error().is_damage)
+    std::optional<Error> damage;
+    if (!take.canRecover()) {
+        const Status sound = checkIntegrity(recording, job);
+        if (!sound && sound.error().kind == ErrorKind::kCancelled)
+            return sound.error();
+        if (sound || !sound.error().is_damage)
             return Error{ErrorKind::kUsage, name + ": is finished already", "There is nothing to recover"};
+        damage = sound.error();
+    }
     const fs::path safe = takePath(session, nextTakeName(session, name + "_recovered"));
-    Result<Recovery> recovered = recoverTake(recording, safe.string(), job);
+    Result<Recovery> recovered = recoverTake(recording, safe.string(), job, damage);
     if (!recovered)
         return recovered;
     // From here on nothing can be lost: at worst both stand side by side under their names.

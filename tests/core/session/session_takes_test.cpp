@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Takes of a session: found, named, imported, moved to the trash and back, recovered.
+#include <algorithm>
 #include <fstream>
 
 #include "core/session/take_folder.h"
 #include "tests/core/session/session_folder.h"
+#include "tests/support/stage_fractions.h"
 
 namespace noctule::test {
 namespace {
@@ -248,11 +250,18 @@ TEST_F(SessionTakes, DamageThatOpeningDoesNotSeeIsMendedToo) {
     file.close();
     Session session = opened();
     ASSERT_EQ(session.takes.at(0).state, TakeState::kComplete) << session.takes[0].problem;
-    const auto recovered = recoverTake(session, "walk_001", {});
+    StageFractions cancelled("Checking", 0.02);
+    const auto stopped = recoverTake(session, "walk_001", cancelled.job());
+    ASSERT_FALSE(stopped);
+    EXPECT_EQ(stopped.error().kind, ErrorKind::kCancelled);
+    StageFractions checking("Checking");
+    const auto recovered = recoverTake(session, "walk_001", checking.job());
     ASSERT_TRUE(recovered) << recovered.error().text();
     ASSERT_TRUE(*recovered);
     EXPECT_EQ((*recovered)->tables.at(0).table, "adc_block");
     EXPECT_EQ(session.takes[0].state, TakeState::kRecovered);
+    EXPECT_FALSE(checking.told.empty());
+    EXPECT_TRUE(std::ranges::is_sorted(checking.told)) << "it is checked once";
 }
 
 TEST_F(SessionTakes, WhatCanBeReadOfATornTakeTakesItsPlace) {
