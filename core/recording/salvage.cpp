@@ -64,6 +64,8 @@ public:
         if (job_->cancelled())
             return JobContext::cancelledError();
         const Status done = insert_.bind(0, first).bind(1, last).run();
+        if (job_->cancelled())
+            return JobContext::cancelledError();
         if (!done && done.error().kind == ErrorKind::kDisk)
             return done.error();
         if (!done)
@@ -73,9 +75,12 @@ public:
         return true;
     }
 
-    /// Page by page, where the table as a whole cannot be read; many at once, where they can.
+    /// Page by page, since the table as a whole cannot be read; many at once, where they can.
     Status copyPages(const std::vector<RowPage>& pages) {
-        std::vector<std::pair<size_t, size_t>> stretches{{0, pages.size() - 1}};
+        if (pages.size() == 1)
+            return copyRowsOf(pages[0]);
+        Stretches<size_t> stretches;
+        halve<size_t>(stretches, 0, pages.size() - 1);
         while (!stretches.empty()) {
             const auto [first, last] = stretches.back();
             stretches.pop_back();
@@ -91,9 +96,7 @@ public:
                     return rows;
                 continue;
             }
-            const size_t middle = std::midpoint(first, last);
-            stretches.emplace_back(middle + 1, last);
-            stretches.emplace_back(first, middle);
+            halve(stretches, first, last);
         }
         return Done{};
     }
@@ -104,10 +107,24 @@ private:
     TableCopy(const Database& database, Statement insert, const JobContext& job)
         : database_(&database), insert_(std::move(insert)), job_(&job) {}
 
-    /// The first and the last page have room for all numbers there are: the likely ones come first.
+    /// First and last of each, in reverse order.
+    template <class Number>
+    using Stretches = std::vector<std::pair<Number, Number>>;
+
+    template <class Number>
+    static void halve(Stretches<Number>& stretches, Number first, Number last) {
+        const Number middle = std::midpoint(first, last);
+        stretches.emplace_back(middle + 1, last);
+        stretches.emplace_back(first, middle);
+    }
+
+    /// Of a page that cannot be read as a whole. The first and the last one have room for all numbers there
+    /// are: the likely ones come first.
     Status copyRowsOf(const RowPage& page) {
         constexpr int64_t kLikely = 10'000;
-        std::vector<std::pair<int64_t, int64_t>> stretches;
+        Stretches<int64_t> stretches;
+        if (!page.is_readable)
+            return Done{};
         int64_t first = page.first;
         if (first <= 0 && page.last > 0) {
             stretches.emplace_back(first, 0);
@@ -117,16 +134,22 @@ private:
             stretches.emplace_back(first, first + kLikely);
             first += kLikely + 1;
         }
+        if (stretches.empty()) {
+            if (first == page.last)
+                return Done{};
+            Stretches<int64_t> halves;
+            halve(halves, first, page.last);
+            return copyHalves(std::move(halves));
+        }
         stretches.emplace_back(first, page.last);
-        for (const auto& [from, to] : stretches)
-            if (const Status halved = copyHalves(from, to); !halved)
+        for (const auto& stretch : stretches)
+            if (const Status halved = copyHalves({stretch}); !halved)
                 return halved;
         return Done{};
     }
 
     /// A stretch that cannot be read as a whole is halved, down to single rows.
-    Status copyHalves(int64_t from, int64_t to) {
-        std::vector<std::pair<int64_t, int64_t>> stretches{{from, to}};
+    Status copyHalves(Stretches<int64_t> stretches) {
         for (int failures = 0; !stretches.empty() && failures < kMostFailures;) {
             const auto [first, last] = stretches.back();
             stretches.pop_back();
@@ -135,11 +158,8 @@ private:
             if (!all)
                 return all.error();
             failures = copied_ > before ? 0 : failures + !*all;
-            if (*all || first == last)
-                continue;
-            const int64_t middle = std::midpoint(first, last);
-            stretches.emplace_back(middle + 1, last);
-            stretches.emplace_back(first, middle);
+            if (!*all && first < last)
+                halve(stretches, first, last);
         }
         return Done{};
     }
@@ -272,7 +292,7 @@ Result<TakeLosses> copyTables(const Database& database, const std::string& torn,
 }  // namespace
 
 Result<TakeLosses> copyReadableRows(const std::string& torn, const std::string& path, const JobContext& job) {
-    Result<Database> database = Database::create(path);
+    Result<Database> database = Database::create(path, {job.cancel});
     if (!database)
         return database.error();
     database->setDisplayName(torn);

@@ -6,9 +6,11 @@
 
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 #include "core/recording/recover_take.h"
+#include "core/recording/schema.h"
 #include "core/recording/table_pages.h"
 #include "tests/core/recording/collect.h"
 
@@ -127,6 +129,56 @@ TEST(DamagedTake, ADamagedPageCostsItsOwnRowsOnly) {
         ASSERT_TRUE(loss.lost);
         EXPECT_NEAR(static_cast<double>(*loss.lost), static_cast<double>(rows - loss.saved), 1);
     }
+}
+
+/// Of all connections that are opened while it lives.
+class CopiedStretches {
+public:
+    CopiedStretches() {
+        seen().clear();
+        sqlite3_auto_extension(reinterpret_cast<void (*)()>(listen));
+    }
+    ~CopiedStretches() { sqlite3_cancel_auto_extension(reinterpret_cast<void (*)()>(listen)); }
+
+    static std::multiset<std::string>& seen() {
+        static std::multiset<std::string> statements;
+        return statements;
+    }
+
+private:
+    static int listen(sqlite3* handle, const char**, const void*) {
+        return sqlite3_trace_v2(handle, SQLITE_TRACE_STMT, note, nullptr);
+    }
+    static int note(unsigned, void*, void* statement, void*) {
+        char* sql = sqlite3_expanded_sql(static_cast<sqlite3_stmt*>(statement));
+        if (const std::string text = sql ? sql : ""; text.starts_with("INSERT OR IGNORE"))
+            seen().insert(text);
+        sqlite3_free(sql);
+        return 0;
+    }
+};
+
+TEST(DamagedTake, NoStretchOfATableIsCopiedTwice) {
+    for (const char* table : {"adc_block", "reference", "note", "half of all"}) {
+        SCOPED_TRACE(table);
+        const Folder folder;
+        const std::string torn = test::tinyTake(folder);
+        if (std::string(table) == "half of all")
+            std::filesystem::resize_file(torn, std::filesystem::file_size(torn) / 2);
+        else
+            damageFirstPageOf(torn, table);
+        const CopiedStretches copied;
+        const auto done = copyReadableRows(torn, folder.file("saved.noctule"), {});
+        ASSERT_TRUE(done) << done.error().text();
+        EXPECT_GE(copied.seen().size(), 10u) << "each table once at least";
+        for (const std::string& statement : copied.seen())
+            EXPECT_EQ(copied.seen().count(statement), 1u) << statement;
+    }
+}
+
+TEST(DamagedTake, EveryTableHasAName) {
+    for (const TableDefinition& table : takeTables())
+        EXPECT_NO_THROW((void)savedText({{{table.name, 0, 1}}, {}})) << table.name;
 }
 
 TEST(DamagedTake, OfATableWithoutItsFirstPageNothingIsSaved) {
