@@ -62,9 +62,11 @@ Result<ReportTake> describeTake(const Take& take) {
     const auto rest = take.restInterval();
     if (!rest)
         return rest.error();
-    if (*rest)
+    if (*rest) {
         described.rest_s =
             take.suitClock().takeTime_s(static_cast<double>((*rest)->last) / described.sample_rate_hz);
+        described.ends_in_rest = endsInRest(*samples, (*rest)->last);
+    }
     const auto notes = take.notes();
     if (!notes)
         return notes.error();
@@ -273,7 +275,7 @@ Status compareRun(const Take& take, int64_t run, const Reference& reference, Rep
     const auto motion = take.poseSource(run);
     if (!motion)
         return motion.error();
-    if (!reference.there || data.take.endsInRest())
+    if (!reference.there || data.take.ends_in_rest)
         return Done{};
     ComparisonOptions options = reference.options;
     options.curves = described.is_shown;

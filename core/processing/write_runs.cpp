@@ -135,7 +135,9 @@ Status fillSubject(const Take& take, const Ingredients& in, const std::string& w
 /// Those whose box was lost while the rest pose was held: poses need all of it. Where nobody remains, they
 /// stay, and the caller says so.
 void leaveOutShort(std::vector<Ingredients>& subjects, std::vector<std::string>& warnings) {
-    const auto is_short = [](const Ingredients& in) { return in.rest && in.sample_count <= in.rest->second; };
+    const auto is_short = [](const Ingredients& in) {
+        return in.rest && endsInRest(in.sample_count, in.rest->second);
+    };
     if (std::ranges::all_of(subjects, is_short))
         return;
     for (const Ingredients& in : subjects)

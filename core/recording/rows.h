@@ -126,6 +126,11 @@ struct SampleInterval {
     int64_t last = 0;
 };
 
+/// The box was lost while the rest pose was held, so that there is no motion. `rest_last`: last sample of it.
+inline bool endsInRest(int64_t sample_count, int64_t rest_last) {
+    return sample_count <= rest_last;
+}
+
 /// A calibration or an actor as stored: several of a suit stand side by side, the highest id is in force.
 struct DocumentRow {
     int64_t id = 0;

@@ -12,12 +12,11 @@ namespace noctule {
 
 /// Of every joint with freedom, the root left out. `pairs` index the suit's sources and boards, as do
 /// `board_share` (share of frames with a reading, 0..1). Nothing before the end of the take's rest counts: no
-/// range is used until then. A range counts for `hold_s` after its pulse: three rounds of eight sources by
-/// default.
+/// range is used until then. A range counts for `hold_s` after its pulse.
 std::vector<JointSupport> jointSupport(const Skeleton& skeleton, const Suit& suit,
                                        const std::vector<ReportPair>& pairs,
                                        const std::vector<double>& board_share, const ReportTake& take,
-                                       double hold_s = 0.192);
+                                       double hold_s = kPairHold_s);
 
 /// A joint lost its ranges (a strap moved, a source fell off) when their share was at least the one before
 /// and at most the other after, each over at least kLeastHalf_s.

@@ -28,8 +28,7 @@ struct ReportTake {
     double end_s() const { return begin_s + duration_s; }
     /// From the end of the rest pose, without one from the beginning, to the end.
     double afterRest_s() const { return end_s() - std::max(begin_s, rest_s); }
-    /// Its box was lost while the rest pose was held: there is no motion.
-    bool endsInRest() const { return rest_s > begin_s && afterRest_s() <= 0; }
+    bool ends_in_rest = false;  ///< its box was lost while the rest pose was held: there is no motion
     double sample_rate_hz = 0;
     std::string reference_kind;  ///< "simulated", "optical", ...; empty: none
     std::string reference_name;  ///< file, when it has one
@@ -81,6 +80,9 @@ enum class PulseFate : unsigned char {
     kMissing,   ///< not heard, although the pose should let it, or the pose is not known
 };
 inline constexpr int kPulseFates = 5;
+
+/// A range counts for so long after its pulse: sources send every 64 ms where there are eight, three times.
+inline constexpr double kPairHold_s = 0.192;
 
 struct PulseAtBoard {
     float time_s = 0;  ///< on the take's clock

@@ -30,7 +30,7 @@ public:
             charge(VerdictReason::kNoPoses, Grade::kNotUsable);
             return sorted();
         }
-        if (report_.take.endsInRest()) {
+        if (report_.take.ends_in_rest) {
             charge(VerdictReason::kEndsInRest, Grade::kNotUsable);
             return sorted();
         }

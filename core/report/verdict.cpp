@@ -149,7 +149,7 @@ Verdict judge(const ReportData& data) {
         return {Grade::kUnknown, "Not processed yet. The take holds no run to judge.", data.warnings};
     const TakeVerdict judged = judgeTake(data);
     Verdict verdict{judged.grade, {}, {}};
-    if (data.take.endsInRest()) {
+    if (data.take.ends_in_rest) {
         verdict.headline =
             gradeName(verdict.grade) + ". The recording ends before the rest pose does. There is no motion.";
         verdict.reasons = data.warnings;

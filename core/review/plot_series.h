@@ -3,6 +3,7 @@
 // came to between two times. Curves of motions are in joint_curves.h.
 #pragma once
 
+#include "core/report/report_data.h"
 #include "core/review/series.h"
 #include "core/review/take_review.h"
 
@@ -15,9 +16,6 @@ enum class RangeQuantity {
 };
 Series rangeSeries(const RangeTable& table, int source, int board, RangeQuantity quantity);
 
-/// How long a value of a pair counts as "now": pulses of a source come every 64 ms with eight sources, three
-/// times.
-inline constexpr double kPairHold_s = 0.192;
 /// What became of a source's last pulse at or before t_s at one board: what the curve of the confidence holds
 /// at that time.
 struct PairNow {

@@ -101,7 +101,7 @@ private:
         const auto rest = problems_.keep(take_.restInterval(suit));
         const auto samples = problems_.keep(take_.sampleCount(suit));
         const auto duration_s = problems_.keep(take_.duration_s(suit));
-        if (!rest || !*rest || !samples || !duration_s || *samples > (*rest)->last)
+        if (!rest || !*rest || !samples || !duration_s || !endsInRest(*samples, (*rest)->last))
             return std::nullopt;
         return take_.suitClock(suit).takeTime_s(*duration_s);
     }
