@@ -62,8 +62,10 @@ void TakeDocument::followMove(const QString& path) {
 }
 
 void TakeDocument::reload(bool show_newest) {
-    if (!path_.isEmpty())
-        loadOverview(view(), show_newest);
+    if (path_.isEmpty())
+        return;
+    damaged_ = false;  // another file may stand there; whoever reads it tells anew
+    loadOverview(view(), show_newest);
 }
 
 TakeView TakeDocument::view() const {

@@ -188,6 +188,29 @@ TEST_F(TakeDocumentTest, DamageIsFoundWhileTheTakeIsOpened) {
     EXPECT_EQ(torn.count(), 1);
 }
 
+TEST_F(TakeDocumentTest, AMendedTakeIsNoLongerDamaged) {
+    const QByteArray whole = [this] {
+        QFile taken(qpath());
+        return taken.open(QFile::ReadOnly) ? taken.readAll() : QByteArray();
+    }();
+    noctule::test::damageRowsOf(path(), "marker");
+    ASSERT_TRUE(openAndWait());
+    ASSERT_TRUE(document_.isDamaged());
+    const auto reload = [this] {
+        QSignalSpy opened(&document_, &TakeDocument::opened);
+        document_.reload(false);
+        return waitFor([&] { return opened.count() == 1; });
+    };
+    ASSERT_TRUE(reload());
+    EXPECT_TRUE(document_.isDamaged()) << "it still is";
+    QFile mended(qpath());
+    ASSERT_TRUE(mended.open(QFile::WriteOnly | QFile::Truncate));
+    ASSERT_EQ(mended.write(whole), whole.size());
+    mended.close();
+    ASSERT_TRUE(reload());
+    EXPECT_FALSE(document_.isDamaged());
+}
+
 TEST_F(TakeDocumentTest, DamageOfAnotherTakeIsToldOnly) {
     ASSERT_TRUE(openAndWait());
     QSignalSpy torn(&document_, &TakeDocument::torn);
