@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // A take of two performers in Review and Export: the operator chooses who is shown, sees both bodies and the
 // distances between them, and gets a file of each.
+#include <sqlite3.h>
+
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QToolButton>
+#include <atomic>
 
 #include "tests/core/simulation/swaying_pair.h"
 #include "tests/ui/views/reviewed_session.h"
@@ -40,6 +44,27 @@ const std::string& processedPair() {
     }();
     return path;
 }
+
+/// While it lives.
+class OpenedDatabases {
+public:
+    OpenedDatabases() {
+        opened() = 0;
+        sqlite3_auto_extension(reinterpret_cast<void (*)()>(note));
+    }
+    ~OpenedDatabases() { sqlite3_cancel_auto_extension(reinterpret_cast<void (*)()>(note)); }
+    int count() const { return opened(); }
+
+private:
+    static std::atomic<int>& opened() {
+        static std::atomic<int> count;
+        return count;
+    }
+    static int note(sqlite3*, const char**, const void*) {
+        ++opened();
+        return SQLITE_OK;
+    }
+};
 
 class TwoPeopleTest : public test::ReviewedSession {
 protected:
@@ -242,6 +267,15 @@ TEST_F(TwoPeopleTest, ExportWritesAFileOfEach) {
     EXPECT_EQ(page.form().preview(), "pair_120_Ada_2.bvh\npair_120_Bea_2.bvh");
     EXPECT_EQ(written(), (std::set<std::string>{"pair_120_Ada_2.bvh", "pair_120_Bea_2.bvh"}))
         << "nothing is overwritten";
+    {
+        const OpenedDatabases opened;
+        page.form().name_pattern->setFocus();
+        QTest::keyClicks(page.form().name_pattern, "{take}_x");
+        EXPECT_TRUE(page.form().preview().contains("_x_Ada.bvh")) << page.form().preview().toStdString();
+        EXPECT_TRUE(waitFor([&] { return jobsAreDone(); }));
+        EXPECT_EQ(opened.count(), 0) << "who is in a take is known";
+        page.form().name_pattern->clear();
+    }
     EXPECT_TRUE(page.writeButton()->text().contains('2')) << page.writeButton()->text().toStdString();
 
     page.choosePreset("blender");

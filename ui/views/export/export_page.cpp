@@ -289,13 +289,10 @@ void ExportPage::present(const Result<ExportResults>& results, bool is_trial) {
 }
 
 void ExportPage::noteDamage(const ExportResults& results) {
-    const SessionModel& session = review_.shared().session();
-    for (const ExportOutcome& outcome : results.outcomes) {
-        if (!session.isOpen() || !outcome.error || !outcome.error->is_damage)
-            continue;
-        if (const int take = session.session().findTake(outcome.take.toStdString()); take >= 0)
-            review_.take().noteDamage(session.takePath(take), *outcome.error);
-    }
+    std::set<std::string> noted;
+    for (const ExportOutcome& outcome : results.outcomes)
+        if (!outcome.damaged_take.empty() && noted.insert(outcome.damaged_take).second)
+            review_.take().noteDamage(QString::fromStdString(outcome.damaged_take), *outcome.error);
 }
 
 void ExportPage::openFolder() {

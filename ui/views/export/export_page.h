@@ -74,7 +74,7 @@ private:
 
     ReviewContext& review_;
     ExportPresets presets_;
-    PerformerCounts performers_;
+    PerformerNames performers_;
     ExportPresetList* preset_list_;
     ExportForm* form_;
     ExportResultsPanel* results_panel_;

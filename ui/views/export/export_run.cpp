@@ -46,6 +46,28 @@ QString resultTitle(const std::string& take_path, const std::string& run, const 
     return QString::fromStdString(run);
 }
 
+/// Of an error about one of them: errors begin with the file that they are about. Null: it is of none.
+const ExportJob* damagedOf(std::span<const ExportJob> takes, const Error& error) {
+    const auto found = std::ranges::find_if(takes, [&](const ExportJob& take) {
+        return error.message.starts_with(take.request.take_path + ":");
+    });
+    return error.is_damage && found != takes.end() ? &*found : nullptr;
+}
+
+/// Of a file that could not be written.
+ExportOutcome failedOutcome(std::span<const ExportJob> takes, const Error& error) {
+    const ExportJob& first = takes.front();
+    const ExportJob* damaged = damagedOf(takes, error);
+    ExportOutcome outcome{first.in_one_file ? QString() : first.take, first.path(), {}, error, false};
+    if (damaged) {
+        outcome.take = damaged->take;
+        outcome.path = damaged->path();
+        outcome.in_one_file = damaged->in_one_file;
+        outcome.damaged_take = damaged->request.take_path;
+    }
+    return outcome;
+}
+
 /// One file, then the check of each take in it.
 std::vector<ExportOutcome> writeAndCheck(std::span<const ExportJob> takes, const JobContext& context) {
     const ExportJob& first = takes.front();
@@ -53,7 +75,7 @@ std::vector<ExportOutcome> writeAndCheck(std::span<const ExportJob> takes, const
     const auto written =
         first.in_one_file ? exportStacks(requestsOf(takes), context) : exportTake(first.request, context);
     if (!written)
-        return {{first.in_one_file ? QString() : first.take, first.path(), {}, written.error(), false}};
+        return {failedOutcome(takes, written.error())};
     const auto checks =
         first.in_one_file ? checkStacks(requestsOf(takes), silent) : checkExport(first.request, silent);
     std::vector<ExportOutcome> outcomes;
@@ -64,10 +86,19 @@ std::vector<ExportOutcome> writeAndCheck(std::span<const ExportJob> takes, const
             outcome.result = resultTitle(takes[i].request.take_path, outcome.check.run, silent);
         } else {
             outcome.error = checks.error();
+            if (damagedOf(takes.subspan(i, 1), checks.error()))
+                outcome.damaged_take = takes[i].request.take_path;
         }
         outcomes.push_back(std::move(outcome));
     }
     return outcomes;
+}
+
+/// A file for one of several people, whose name says of whom it is.
+std::string freePathOf(const std::string& path, ExportFormat format, std::set<std::string>& taken) {
+    const std::filesystem::path named(path);
+    return freeFilePath(named.parent_path().string(), named.stem().string(), entryOf(format).extension,
+                        taken);
 }
 
 /// A take of several people is one job for each of them. In one file they are characters of their own; stacks
@@ -97,9 +128,7 @@ Result<std::vector<ExportJob>> oneForEachPerson(const std::vector<ExportJob>& jo
                 continue;
             }
             std::string& path = all.back().request.*entryOf(job.format).path;
-            const std::filesystem::path named(path);
-            path = freeFilePath(named.parent_path().string(), named.stem().string(),
-                                entryOf(job.format).extension, taken);
+            path = freePathOf(path, job.format, taken);
         }
     }
     return all;
@@ -148,46 +177,47 @@ int ExportResults::faulty() const {
                    [](const ExportOutcome& outcome) { return outcome.error || !outcome.check.ok(); });
 }
 
-int PerformerCounts::of(const ExportRequest& request) {
+const std::vector<std::string>& PerformerNames::of(const ExportRequest& request) {
     const QDateTime changed = QFileInfo(QString::fromStdString(request.take_path)).lastModified();
-    auto& [asked, count] = known_[{request.take_path, request.run}];
-    if (count == 0 || asked != changed) {
-        const auto subjects = subjectsOfRun(request.take_path, request.run);
-        asked = changed;
-        count = subjects ? static_cast<int>(subjects->size()) : 1;
+    const auto [known, is_new] = known_.try_emplace({request.take_path, request.run});
+    Asked& asked = known->second;
+    if (is_new || asked.changed != changed) {
+        asked = {changed, {}};
+        if (const auto subjects = subjectsOfRun(request.take_path, request.run))
+            for (const TakeSubject& subject : *subjects)
+                asked.names.push_back(subject.name);
     }
-    return count;
+    return asked.names;
 }
 
-int fileCount(const std::vector<ExportJob>& jobs, PerformerCounts& performers) {
+int fileCount(const std::vector<ExportJob>& jobs, PerformerNames& performers) {
     std::set<std::string> paths;
     int files = 0;
     for (const ExportJob& job : jobs)
         if (paths.insert(job.path()).second)
-            files += job.in_one_file ? 1 : performers.of(job.request);
+            files += job.in_one_file ? 1 : std::max(1, static_cast<int>(performers.of(job.request).size()));
     return files;
 }
 
 int fileCount(const std::vector<ExportJob>& jobs) {
-    PerformerCounts performers;
+    PerformerNames performers;
     return fileCount(jobs, performers);
 }
 
-QStringList fileNames(const std::vector<ExportJob>& jobs, int most, PerformerCounts& performers) {
-    std::vector<ExportJob> first;
-    for (const ExportJob& job : jobs)
-        if (static_cast<int>(first.size()) < most && !std::ranges::count(first, job.path(), &ExportJob::path))
-            first.push_back(job);
-    // Who is in a take is asked of its file, so only where several are.
-    const bool of_several = std::ranges::any_of(
-        first, [&](const ExportJob& job) { return !job.in_one_file && performers.of(job.request) > 1; });
-    if (of_several)
-        if (auto each = oneForEachPerson(first))
-            first = std::move(*each);
+QStringList fileNames(const std::vector<ExportJob>& jobs, int most, PerformerNames& performers) {
+    std::set<std::string> taken;
     QStringList names;
-    for (const ExportJob& job : first)
-        names += fileName(job.path());
-    names.removeDuplicates();
+    for (const ExportJob& job : jobs) {
+        if (names.size() >= most)
+            break;
+        if (job.in_one_file || performers.of(job.request).size() < 2) {
+            names += fileName(job.path());
+            names.removeDuplicates();
+            continue;
+        }
+        for (const std::string& performer : performers.of(job.request))
+            names += fileName(freePathOf(pathOfSubject(job.path(), performer), job.format, taken));
+    }
     return names.mid(0, most);
 }
 
@@ -195,6 +225,8 @@ Result<ExportResults> runExport(const std::vector<ExportJob>& of_takes, const Jo
     QElapsedTimer clock;
     clock.start();
     const auto each = oneForEachPerson(of_takes);
+    if (!each && damagedOf(of_takes, each.error()))
+        return ExportResults{{failedOutcome(of_takes, each.error())}};
     if (!each)
         return each.error();
     const std::vector<ExportJob>& jobs = *each;

@@ -12,14 +12,15 @@
 namespace noctule::ui {
 
 /// What became of one take: the check of its file, or why there is none. A file of several takes that could
-/// not be written is one outcome without a take.
+/// not be written is one outcome, of the take that is damaged or of none.
 struct ExportOutcome {
     QString take;
     std::string path;
     ExportCheck check;
     std::optional<Error> error;
-    bool in_one_file = false;  ///< the take is one of several in the file
-    QString result{};          ///< title of the result that went out, as Review has it
+    bool in_one_file = false;    ///< the take is one of several in the file
+    QString result{};            ///< title of the result that went out, as Review has it
+    std::string damaged_take{};  ///< path of the take whose database is torn; empty: the error is another one
 };
 
 struct ExportResults {
@@ -30,21 +31,26 @@ struct ExportResults {
     int faulty() const;   ///< files that are not there, or of which the check found something
 };
 
-/// How many performers the results of takes hold; a file is asked again only after it changed.
-class PerformerCounts {
+/// The performers whom the results of takes hold; a file is asked again only after it changed.
+class PerformerNames {
 public:
-    int of(const ExportRequest& request);
+    /// None when they cannot be read.
+    const std::vector<std::string>& of(const ExportRequest& request);
 
 private:
-    std::map<std::pair<std::string, std::string>, std::pair<QDateTime, int>> known_;  ///< by take and run
+    struct Asked {
+        QDateTime changed;
+        std::vector<std::string> names;
+    };
+    std::map<std::pair<std::string, std::string>, Asked> known_;  ///< by take and run
 };
 
 /// How many files the jobs make: one for each performer, or one for all.
-int fileCount(const std::vector<ExportJob>& jobs, PerformerCounts& performers);
+int fileCount(const std::vector<ExportJob>& jobs, PerformerNames& performers);
 int fileCount(const std::vector<ExportJob>& jobs);
 
 /// The first `most` files that the jobs make, without their folder, as runExport() names them.
-QStringList fileNames(const std::vector<ExportJob>& jobs, int most, PerformerCounts& performers);
+QStringList fileNames(const std::vector<ExportJob>& jobs, int most, PerformerNames& performers);
 
 /// A file for each person of a take of several, or one in which each is a character. Goes on after a take
 /// that fails; an Error only when cancelled, the folder cannot be made, or several takes with several people
