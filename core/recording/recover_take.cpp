@@ -11,6 +11,7 @@
 #include "core/job/atomic_file.h"
 #include "core/recording/database.h"
 #include "core/recording/first_page.h"
+#include "core/recording/lost_branches.h"
 #include "core/recording/salvage.h"
 #include "core/recording/take_copy.h"
 #include "core/recording/take_edit.h"
@@ -75,14 +76,18 @@ Status finishWhole(TakeCopy& copy, const JobContext& job) {
     return markRecovered(copy.path());
 }
 
-Result<TakeLosses> saveReadable(TakeCopy& copy, const std::string& saved_path, const JobContext& job) {
+/// `has_first_page`: its own, which says what pages are free.
+Result<TakeLosses> saveReadable(TakeCopy& copy, const std::string& saved_path, bool has_first_page,
+                                const JobContext& job) {
     if (const Status folded = copy.foldLog(); !folded) {
         if (folded.error().kind == ErrorKind::kDisk)
             return folded.error();
         copy.dropLog();  // it cannot be read, and would stand in the way of the file
     }
     const SavedAside saved{asidePath(saved_path)};
-    Result<TakeLosses> losses = copyReadableRows(copy.path(), saved.path, job);
+    const std::set<std::string> mended =
+        has_first_page ? mendBranches(copy.path(), job) : std::set<std::string>();
+    Result<TakeLosses> losses = copyReadableRows(copy.path(), saved.path, job, mended);
     if (!losses)
         return losses;
     if (!markRecovered(saved.path))
@@ -109,9 +114,9 @@ Result<Recovery> recoverTake(const std::string& recording, const std::string& re
         return Recovery();
     }
     Result<TakeLosses> losses =
-        whole.error().is_damage ? saveReadable(*copy, recovered_path, job) : whole.error();
+        whole.error().is_damage ? saveReadable(*copy, recovered_path, true, job) : whole.error();
     if (!losses && losses.error().kind == ErrorKind::kUnreadable && mendFirstPage(copy->path())) {
-        losses = saveReadable(*copy, recovered_path, job);
+        losses = saveReadable(*copy, recovered_path, false, job);
         if (losses)
             losses->may_have_had_more = true;
     }

@@ -256,7 +256,8 @@ void measureSound(const Database& database, TakeLosses& losses) {
 }
 
 /// Of every table of a take.
-Result<TakeLosses> copyTables(const Database& database, const std::string& torn, const JobContext& job) {
+Result<TakeLosses> copyTables(const Database& database, const std::string& torn,
+                              const std::set<std::string>& mended, const JobContext& job) {
     TakeLosses losses;
     std::ifstream file(torn, std::ios::binary);
     const auto page_bytes = database.queryInteger("PRAGMA torn.page_size");
@@ -275,9 +276,11 @@ Result<TakeLosses> copyTables(const Database& database, const std::string& torn,
                     return dropped.error();
             continue;
         }
-        const Result<TableLoss> rows = copyTable(database, torn, table.name, *columns, job);
+        Result<TableLoss> rows = copyTable(database, torn, table.name, *columns, job);
         if (!rows)
             return rows.error();
+        if (mended.contains(table.name))
+            rows->lost = std::nullopt;
         copied += rows->saved;
         if (rows->lost != 0)
             losses.tables.push_back(*rows);
@@ -291,7 +294,8 @@ Result<TakeLosses> copyTables(const Database& database, const std::string& torn,
 
 }  // namespace
 
-Result<TakeLosses> copyReadableRows(const std::string& torn, const std::string& path, const JobContext& job) {
+Result<TakeLosses> copyReadableRows(const std::string& torn, const std::string& path, const JobContext& job,
+                                    const std::set<std::string>& mended) {
     Result<Database> database = Database::create(path, {job.cancel});
     if (!database)
         return database.error();
@@ -300,7 +304,7 @@ Result<TakeLosses> copyReadableRows(const std::string& torn, const std::string& 
         return made.error();
     if (const Status attached = attach(*database, torn); !attached)
         return inPlainWords(attached.error(), torn);
-    Result<TakeLosses> losses = copyTables(*database, torn, job);
+    Result<TakeLosses> losses = copyTables(*database, torn, mended, job);
     if (!losses)
         return losses;
     // How long it was counts no more; the blocks tell how long it is.

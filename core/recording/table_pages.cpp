@@ -5,19 +5,18 @@
 #include <cmath>
 #include <istream>
 #include <set>
-#include <string>
 #include <utility>
+
+#include "core/recording/page_reader.h"
 
 namespace noctule {
 namespace {
 
 constexpr int64_t kLowest = std::numeric_limits<int64_t>::min();
 constexpr int64_t kHighest = std::numeric_limits<int64_t>::max();
-constexpr int kInnerPage = 5, kRowPage = 13;  // kinds of pages of a table
-constexpr int64_t kHeaderOfFile_bytes = 100;  // before what stands on page 1
-constexpr int kDeepest = 20;                  // as SQLite has it
-constexpr int64_t kShortestRow_bytes = 6;     // with its entry in the page's list
-constexpr double kMostRows = 1e12;            // of a table: a week of 10 MHz is as many
+constexpr int kDeepest = 20;               // as SQLite has it
+constexpr int64_t kShortestRow_bytes = 6;  // with its entry in the page's list
+constexpr double kMostRows = 1e12;         // of a table: a week of 10 MHz is as many
 
 struct Child {
     int64_t page = 0, first = 0, last = 0;
@@ -25,16 +24,17 @@ struct Child {
 
 class PageTree {
 public:
-    PageTree(std::istream& file, int64_t page_bytes) : file_(file), page_bytes_(page_bytes) {}
+    PageTree(std::istream& file, int64_t page_bytes) : page_(file, page_bytes), page_bytes_(page_bytes) {}
 
     /// `usual`: numbers of rows below a page beside this one.
     void visit(const Child& at, const std::optional<int64_t>& usual, int depth) {
-        const bool is_read = depth < kDeepest && visited_.insert(at.page).second && read(at.page);
-        const int kind = is_read ? byte(start_) : 0;
-        if (kind == kRowPage && number(start_ + 3, 2) <= page_bytes_ / kShortestRow_bytes) {
+        const bool is_read = depth < kDeepest && visited_.insert(at.page).second && page_.read(at.page);
+        const int kind = is_read ? page_.kind() : 0;
+        const int64_t entries = is_read ? page_.number(page_.start() + 3, 2) : 0;
+        if (kind == kRowPage && entries <= page_bytes_ / kShortestRow_bytes) {
             const std::optional<int64_t> room = numbers(at);
-            const int64_t rows = atMost(number(start_ + 3, 2), room);
-            pages_.push_back({at.first, at.last, rows});
+            const int64_t rows = atMost(entries, room);
+            pages_.push_back({at.first, at.last, rows, true, at.page});
             if (room) {
                 rows_ += static_cast<double>(rows);
                 numbers_ += static_cast<double>(*room);
@@ -45,7 +45,7 @@ public:
         if (below.empty()) {
             const bool may_be_readable = kind == kInnerPage || kind == kRowPage;
             damaged_.push_back(pages_.size());
-            pages_.push_back({at.first, at.last, estimate(at, usual), may_be_readable});
+            pages_.push_back({at.first, at.last, estimate(at, usual), may_be_readable, at.page});
             return;
         }
         const std::optional<int64_t> usual_below = usualOf(below);
@@ -62,51 +62,25 @@ public:
         }
         return std::move(pages_);
     }
+    const std::set<int64_t>& visited() const { return visited_; }
 
 private:
-    bool read(int64_t page) {
-        if (page < 1 || page > kHighest / page_bytes_)
-            return false;
-        bytes_.resize(static_cast<size_t>(page_bytes_));
-        file_.clear();
-        file_.seekg((page - 1) * page_bytes_);
-        start_ = page == 1 ? kHeaderOfFile_bytes : 0;
-        return static_cast<bool>(file_.read(bytes_.data(), page_bytes_));
-    }
-
-    int byte(int64_t at) const {
-        return at < page_bytes_ ? static_cast<unsigned char>(bytes_[static_cast<size_t>(at)]) : 0;
-    }
-    int64_t number(int64_t at, int length) const {
-        int64_t value = 0;
-        for (int i = 0; i < length; ++i)
-            value = value << 8 | byte(at + i);
-        return value;
-    }
-    /// SQLite's variable-length integer: seven bits in each byte, all eight in the ninth.
-    int64_t rowNumber(int64_t at) const {
-        uint64_t value = 0;
-        for (int i = 0; i < 8; ++i) {
-            value = value << 7 | static_cast<uint64_t>(byte(at + i) & 127);
-            if (byte(at + i) < 128)
-                return static_cast<int64_t>(value);
-        }
-        return static_cast<int64_t>(value << 8 | static_cast<uint64_t>(byte(at + 8)));
-    }
-
     /// Of the page that was read last; none when they contradict each other.
     std::vector<Child> children(const Child& at) const {
         constexpr int kList = 12;  // where the list of entries begins
         std::vector<Child> found;
         int64_t first = at.first;
-        for (int64_t i = 0; i < number(start_ + 3, 2); ++i) {
-            const int64_t entry = number(start_ + kList + 2 * i, 2), last = rowNumber(entry + 4);
+        const int64_t start = page_.start(), entries = page_.number(start + 3, 2);
+        for (int64_t i = 0; i < entries; ++i) {
+            const int64_t entry = page_.number(start + kList + 2 * i, 2);
+            int64_t key = entry + 4;
+            const int64_t last = page_.varint(key);
             if (last < first || last >= at.last)
                 return {};
-            found.push_back({number(entry, 4), first, last});
+            found.push_back({page_.number(entry, 4), first, last});
             first = last + 1;
         }
-        found.push_back({number(start_ + 8, 4), first, at.last});
+        found.push_back({page_.number(start + 8, 4), first, at.last});
         return found;
     }
 
@@ -140,10 +114,8 @@ private:
                              : most;
     }
 
-    std::istream& file_;
+    PageReader page_;
     const int64_t page_bytes_;
-    std::string bytes_;
-    int64_t start_ = 0;  ///< of what stands on the page
     std::set<int64_t> visited_;
     std::vector<RowPage> pages_;
     std::vector<size_t> damaged_;    ///< of them; numbers of rows instead of rows until the end
@@ -152,9 +124,12 @@ private:
 
 }  // namespace
 
-std::vector<RowPage> rowPages(std::istream& file, int64_t page_bytes, int64_t root) {
+std::vector<RowPage> rowPages(std::istream& file, int64_t page_bytes, int64_t root,
+                              std::set<int64_t>* reached) {
     PageTree tree(file, page_bytes);
     tree.visit({root, kLowest, kHighest}, std::nullopt, 0);
+    if (reached)
+        reached->insert(tree.visited().begin(), tree.visited().end());
     return tree.take();
 }
 

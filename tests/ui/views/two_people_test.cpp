@@ -3,6 +3,7 @@
 // distances between them, and gets a file of each.
 #include <sqlite3.h>
 
+#include <QCheckBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
