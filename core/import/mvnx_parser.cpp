@@ -53,11 +53,13 @@ public:
             file_.version = attributeOf(attributes, "version");
         } else if (name == "subject") {
             file_.rate_hz = numberOf(attributeOf(attributes, "frameRate"), 0);
-        } else if (name == "segment") {
+        } else if (name == "segments" || name == "sensors" || name == "joints") {
+            list_ = name;
+        } else if (name == "segment" && list_ == "segments") {
             file_.segments.push_back(attributeOf(attributes, "label"));
-        } else if (name == "sensor") {
+        } else if (name == "sensor" && list_ == "sensors") {
             file_.sensors.push_back(attributeOf(attributes, "label"));
-        } else if (name == "joint") {
+        } else if (name == "joint" && list_ == "joints") {
             file_.joints.push_back({attributeOf(attributes, "label"), "", ""});
         } else if (name == "frame") {
             in_frame_ = true;
@@ -66,7 +68,7 @@ public:
             frame_.index = numberOf(attributeOf(attributes, "index"), -1);
             frame_.time_ms = numberOf(attributeOf(attributes, "time"), -1);
         }
-        wants_text_ = (in_frame_ && target(name)) || name == "connector1" || name == "connector2";
+        wants_text_ = (in_frame_ && target(name)) || isConnector(name);
         if (file_.segments.size() > kMostSegments || file_.sensors.size() > kMostSegments ||
             file_.joints.size() > kMostNames || file_.frames.size() > kMostMvnxFrames)
             fail("it has more segments, sensors, joints or frames than any suit");
@@ -81,10 +83,11 @@ public:
     }
 
     void end(std::string_view name) {
-        if (name == "connector1" && !file_.joints.empty())
-            file_.joints.back().parent = segmentOf(text_);
-        else if (name == "connector2" && !file_.joints.empty())
-            file_.joints.back().child = segmentOf(text_);
+        if (isConnector(name) && !file_.joints.empty())
+            (name == "connector1" ? file_.joints.back().parent : file_.joints.back().child) =
+                segmentOf(text_);
+        else if (name == list_)
+            list_.clear();
         else if (name == "frame")
             endFrame();
         else if (in_frame_)
@@ -105,6 +108,9 @@ public:
     Result<MvnxFile> parse(std::string_view bytes, const JobContext& job);
 
 private:
+    bool isConnector(std::string_view name) const {
+        return list_ == "joints" && (name == "connector1" || name == "connector2");
+    }
     std::vector<double>* target(std::string_view name) {
         return name == "orientation"              ? &frame_.orientation
                : name == "position"               ? &frame_.position
@@ -157,6 +163,7 @@ private:
     const std::string& where_;
     MvnxFile file_;
     MvnxFrame frame_;
+    std::string list_;  ///< of the body that is being read: fingers have segments and joints of their own
     std::set<std::string> unread_;
     std::string text_, problem_;
     XML_Parser parser_ = nullptr;

@@ -70,5 +70,23 @@ TEST(Mvnx, CutFilesKeepWholeFramesAndWrongCountsAreErrors) {
     EXPECT_NE(entity.error().message.find("document type"), std::string::npos) << entity.error().message;
 }
 
+/// Gloves bring segments and joints of their own.
+TEST(Mvnx, FingersAreNotCountedAsTheBodys) {
+    std::string text = mvnxExample();
+    const auto put = [&](const std::string& behind, const std::string& more) {
+        text.insert(text.find(behind) + behind.size(), more);
+    };
+    put("</segments>",
+        "<fingerTrackingSegmentsLeft segmentCount=\"2\"><segment label=\"LeftCarpus\" id=\"1\"/>"
+        "<segment label=\"LeftFirstMC\" id=\"2\"/></fingerTrackingSegmentsLeft>");
+    put("</joints>",
+        "<fingerTrackingJointsLeft><joint label=\"jLeftFirstCMC\"><connector1>LeftCarpus/a</connector1>"
+        "<connector2>LeftFirstMC/a</connector2></joint></fingerTrackingJointsLeft>");
+    const auto read = readAs({{"walk.mvnx", text}});
+    ASSERT_TRUE(read) << read.error().text();
+    ASSERT_TRUE(read->reference);
+    EXPECT_EQ(read->reference->skeleton.size(), 3);
+}
+
 }  // namespace
 }  // namespace noctule::test
