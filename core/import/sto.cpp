@@ -2,6 +2,7 @@
 // OpenSense's attitudes: a .sto table of quaternions, sensor to ground. The file does not say what ground is.
 #include <cmath>
 
+#include "core/formats/csv_cells.h"
 #include "core/formats/number_text.h"
 #include "core/formats/opensim.h"
 #include "core/formats/text_file.h"
@@ -17,13 +18,16 @@ bool knowsSto(const ImportFile& file) {
            file.head().find("DataType=Quaternion") != std::string_view::npos;
 }
 
-/// LF ends, no blanks behind the lines: what parseOpenSimTable reads.
+/// LF ends, no blanks around the lines, no empty lines at the end: what parseOpenSimTable reads.
 std::string plainLines(std::string_view text) {
     std::string plain;
     plain.reserve(text.size());
-    for (const char c : text)
-        if (c != '\r')
-            plain += c;
+    while (!text.empty()) {
+        plain += trimmed(cutLine(text));
+        plain += '\n';
+    }
+    while (plain.ends_with("\n\n"))
+        plain.pop_back();
     return plain;
 }
 

@@ -148,6 +148,18 @@ TEST(OpenSenseSto, AttitudesAndSegmentsAreRead) {
     EXPECT_NEAR(walked->sensors[0].q_world_sensor[0].norm(), 1, 1e-9);
 }
 
+/// OpenSim reads such files.
+TEST(OpenSenseSto, BlanksAroundLinesAndEmptyLinesAtTheEndDoNoHarm) {
+    std::string text = stoExample() + "\r\n\r\n";
+    text.replace(text.find("endheader"), 9, " endheader \t");
+    for (size_t at = text.find("time");
+         (at = text.find('\n', at)) != std::string::npos && at + 3 < text.size(); at += 2)
+        text.insert(at, "\t");
+    const auto read = readAs({{"walk.sto", text}});
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_EQ(read->sensors[1].q_world_sensor.size(), 50u);
+}
+
 TEST(OpenSenseSto, MissingAttitudesAreRowsThatAreLost) {
     std::string text = stoExample();
     const size_t row = text.find('\n', text.size() / 2) + 1, cell = text.find('\t', row) + 1;
