@@ -4,6 +4,7 @@
 // length of the file, and what was done is said. Source: c3d.org, "The C3D File Format".
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <map>
@@ -62,6 +63,12 @@ private:
     Processor processor_ = Processor::kIntel;
 };
 
+/// Names of groups and parameters do not depend on case.
+std::string inCapitals(std::string text) {
+    std::ranges::transform(text, text.begin(), [](unsigned char c) { return char(std::toupper(c)); });
+    return text;
+}
+
 struct C3dParameter {
     int type = 0;  ///< -1 text, 1 byte, 2 integer, 4 float
     std::vector<size_t> dimensions;
@@ -107,7 +114,7 @@ private:
             const int id = bytes_.signedByte(at + 1);
             if (length == 0 || id == 0)
                 break;
-            const std::string name = bytes_.text(at + 2, length);
+            const std::string name = inCapitals(bytes_.text(at + 2, length));
             const size_t offset_at = at + 2 + length;
             if (id < 0)
                 groups[-id] = name;
@@ -222,8 +229,9 @@ private:
             if (last >= first)
                 return size_t(last - first) + 1;
         }
-        if (const auto frames = number("POINT:FRAMES"); frames && *frames >= 1)
-            return size_t(std::min(*frames, 1e9));
+        for (const char* name : {"POINT:LONG_FRAMES", "POINT:FRAMES"})
+            if (const auto frames = number(name); frames && *frames >= 1)
+                return size_t(std::min(*frames, 1e9));
         return bytes_.word(8) >= bytes_.word(6) ? size_t(bytes_.word(8) - bytes_.word(6)) + 1 : 0;
     }
 

@@ -58,7 +58,11 @@ private:
     Status readHeader() {
         if (!next().starts_with("PathFileType"))
             return damaged("it does not begin with PathFileType");
-        const auto keys = cellsOfLine(next(), '\t'), values = cellsOfLine(next(), '\t');
+        auto keys = cellsOfLine(next(), '\t'), values = cellsOfLine(next(), '\t');
+        if (filled(keys).size() == filled(values).size()) {  // some programs write several tabs
+            keys = filled(keys);
+            values = filled(values);
+        }
         for (size_t i = 0; i < std::min(keys.size(), values.size()); ++i) {
             if (keys[i] == "DataRate" && !readCell(values[i], false, markers_.rate_hz))
                 return damaged("DataRate is " + inQuotes(values[i]));
@@ -76,13 +80,31 @@ private:
         const auto names = cellsOfLine(next(), '\t');
         if (names.size() < 3 || !names[0].starts_with("Frame"))
             return damaged("the line of names does not begin with Frame#");
-        for (size_t i = 2; i < names.size(); i += 3)
-            if (!names[i].empty())
-                markers_.names.push_back(names[i].substr(0, 100));
+        takeNames({names.begin() + 2, names.end()});
         if (markers_.names.empty() || markers_.names.size() > kMostMarkers)
             return damaged("it names " + std::to_string(markers_.names.size()) + " markers");
         next();  // X1 Y1 Z1 ...
         return Done{};
+    }
+
+    static std::vector<std::string> filled(std::vector<std::string> cells) {
+        std::erase(cells, "");
+        return cells;
+    }
+
+    /// Each name stands above its X; some programs write one tab between names.
+    void takeNames(std::vector<std::string> cells) {
+        while (!cells.empty() && cells.back().empty())
+            cells.pop_back();
+        size_t step = 3;
+        for (size_t i = 0; i < cells.size(); ++i)
+            if (i % 3 != 0 && !cells[i].empty())
+                step = 1;
+        if (step == 1)
+            cells = filled(std::move(cells));
+        for (size_t i = 0; i < cells.size(); i += step)
+            markers_.names.push_back(cells[i].empty() ? "point " + std::to_string(i / step + 1)
+                                                      : cells[i].substr(0, 100));
     }
 
     Status readRow(std::string_view line) {

@@ -158,18 +158,21 @@ inline std::string trcExample() {
 /// A C3D file in one processor's numbers: Intel 84, DEC 85, SGI 86.
 class C3dExample {
 public:
-    C3dExample(int processor, bool floats) : processor_(processor), floats_(floats) {}
+    C3dExample(int processor, bool floats, bool long_frames = false)
+        : processor_(processor), floats_(floats), long_frames_(long_frames) {}
 
     std::string bytes() const {
         std::string header = std::string("\x02\x50", 2) + word(2) + word(0) + word(1) + word(3) + word(0) +
                              real(floats_ ? -0.5f : 0.5f) + word(3) + word(0) + real(200);
         header.resize(512, '\0');
-        std::string groups =
-            std::string("\0\0\x01", 3) + char(processor_) + group(-1, "POINT") +
-            parameter("USED", 2, {}, word(2)) + parameter("SCALE", 4, {}, real(floats_ ? -0.5f : 0.5f)) +
-            parameter("RATE", 4, {}, real(200)) + parameter("DATA_START", 2, {}, word(3)) +
-            parameter("FRAMES", 2, {}, word(3)) + parameter("LABELS", -1, {6, 2}, "s:LASIHips  ") +
-            parameter("UNITS", -1, {2}, "mm") + parameter("Y_SCREEN", -1, {2}, "+Z");
+        std::string groups = std::string("\0\0\x01", 3) + char(processor_) + group(-1, "POINT") +
+                             parameter("USED", 2, {}, word(2)) +
+                             parameter("SCALE", 4, {}, real(floats_ ? -0.5f : 0.5f)) +
+                             parameter("RATE", 4, {}, real(200)) + parameter("DATA_START", 2, {}, word(3)) +
+                             parameter("FRAMES", 2, {}, word(long_frames_ ? 1 : 3)) +
+                             (long_frames_ ? parameter("LONG_FRAMES", 4, {}, real(3)) : "") +
+                             parameter("LABELS", -1, {6, 2}, "s:LASIHips  ") +
+                             parameter("UNITS", -1, {2}, "mm") + parameter("Y_SCREEN", -1, {2}, "+Z");
         groups.resize(512, '\0');
         std::string data;
         for (int frame = 0; frame < 3; ++frame) {
@@ -209,7 +212,7 @@ private:
     }
 
     int processor_;
-    bool floats_;
+    bool floats_, long_frames_;
 };
 
 }  // namespace noctule::test
