@@ -24,11 +24,16 @@ bool isInertialTable(const ImportFile& file) {
     return file.head().starts_with("Timestamp (us),Gyroscope X");
 }
 
+/// Older firmware sends it behind a quaternion.
+bool holdsAcceleration(const ImportFile& file) {
+    return file.fileName() == "LinearAcceleration.csv" || file.fileName() == "EarthAcceleration.csv";
+}
+
 /// Those of a device's tables that are read.
 bool isTable(const ImportFile& file) {
     const std::string name = file.fileName();
     return name == "Magnetometer.csv" || name == "Quaternion.csv" || name == "RotationMatrix.csv" ||
-           isInertialTable(file);
+           name == "EulerAngles.csv" || holdsAcceleration(file) || isInertialTable(file);
 }
 
 /// The answers of a device to commands, beside its tables.
@@ -76,6 +81,23 @@ Result<Ximu3Table> tableOf(const ImportFile& file, size_t values, const std::vec
     return table;
 }
 
+/// Of Euler angles, or of accelerations behind a quaternion.
+Status addOtherAttitudes(const ImportFile& file, Ximu3Device& device, const JobContext& job) {
+    const bool are_angles = !holdsAcceleration(file);
+    std::string_view text = withoutByteOrderMark(file.bytes);
+    constexpr size_t kWithQuaternion = 8;
+    if (device.other_attitude.rows() > 0 ||
+        (!are_angles && cellsOfLine(cutLine(text), ',').size() < kWithQuaternion))
+        return Done{};
+    const size_t width = are_angles ? 3 : 4;
+    const auto table = tableOf(file, width, {}, job, device.cut);
+    if (!table)
+        return table.error();
+    for (size_t row = 0; row < table->rows(); ++row)
+        addOtherAttitude(device.other_attitude, table->time_s[row], table->row(row, width), are_angles);
+    return Done{};
+}
+
 /// Adds one CSV table to the device of its folder.
 Status addTable(const ImportFile& file, Ximu3Device& device, const JobContext& job) {
     const std::string name = file.fileName();
@@ -92,9 +114,11 @@ Status addTable(const ImportFile& file, Ximu3Device& device, const JobContext& j
     } else if (name == "Quaternion.csv") {
         into = &device.quaternion;
         values = 4;
-    } else {
+    } else if (name == "RotationMatrix.csv") {
         into = &device.matrix;
         values = 9;
+    } else {
+        return addOtherAttitudes(file, device, job);
     }
     auto table = tableOf(file, values, units, job, device.cut);
     if (!table)
@@ -131,9 +155,12 @@ Quaterniond rotationOfRow(const double* R) {
 
 SensorRows rowsOfDevice(const Ximu3Device& device, const Quaterniond& turn, double rate_hz) {
     SensorRows rows;
-    NearestRow mags(device.magnetometer, 0.5 / rate_hz), quaternions(device.quaternion, 0.5 / rate_hz),
+    const bool has_R = device.matrix.rows() > 0;
+    const Ximu3Table& quaternion =
+        device.quaternion.rows() > 0 || has_R ? device.quaternion : device.other_attitude;
+    const bool has_q = quaternion.rows() > 0;
+    NearestRow mags(device.magnetometer, 0.5 / rate_hz), quaternions(quaternion, 0.5 / rate_hz),
         matrices(device.matrix, 0.5 / rate_hz);
-    const bool has_q = device.quaternion.rows() > 0, has_R = device.matrix.rows() > 0;
     for (size_t i = 0; i < device.inertial.rows(); ++i) {
         const double* v = device.inertial.row(i, 6);
         const double time_s = device.inertial.time_s[i];
@@ -149,7 +176,7 @@ SensorRows rowsOfDevice(const Ximu3Device& device, const Quaterniond& turn, doub
         const size_t r = has_q ? quaternions.at(time_s) : matrices.at(time_s);
         Quaterniond q = missingRotation();
         if (r != RowGrid::kNoRow && has_q) {
-            const double* w = device.quaternion.row(r, 4);
+            const double* w = quaternion.row(r, 4);
             q = checkedRotation(Quaterniond(w[0], w[1], w[2], w[3]));
         } else if (r != RowGrid::kNoRow) {
             q = rotationOfRow(device.matrix.row(r, 9));
@@ -232,7 +259,7 @@ void sayWhatIsStated(const std::string& id, const Ximu3Device& device, const Imp
     recording.notes.insert(recording.notes.end(), notes.begin(), notes.end());
     if (device.settings.is_damaged)
         recording.warnings.push_back(id + ": what it states of itself cannot be read and was left out");
-    if (device.quaternion.rows() + device.matrix.rows() == 0 || choice.world)
+    if (device.quaternion.rows() + device.matrix.rows() + device.other_attitude.rows() == 0 || choice.world)
         return;
     if (device.settings.world)
         recording.notes.push_back(id + " states that its attitudes are in " +

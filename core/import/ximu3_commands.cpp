@@ -40,9 +40,9 @@ std::optional<WorldFrame> frameOf(const json::Json& value) {
 void addAnswer(const std::string& key, const json::Json& value, Ximu3Settings& settings) {
     if (key == "ping" && value.is_object()) {
         for (const auto& [member, of] : value.items())
-            if (member == "name")
+            if (member == "name" || member == "deviceName")
                 settings.name = shortValue(of);
-            else if (member == "sn")
+            else if (member == "sn" || member == "serialNumber")
                 settings.serial_number = shortValue(of);
     } else if (key == "devicename") {
         settings.name = shortValue(value);

@@ -6,6 +6,8 @@
 #include "core/formats/number_text.h"
 #include "core/import/column_text.h"
 #include "core/import/ximu3.h"
+#include "core/math/conventions.h"
+#include "core/math/euler.h"
 
 namespace noctule {
 
@@ -15,25 +17,30 @@ constexpr char kTermination = 0x0A, kEscape = char(0xDB), kEscapedEnd = char(0xD
                kEscapedEscape = char(0xDD);
 constexpr size_t kTimestampBytes = 8, kValueBytes = 4;
 constexpr size_t kLongestMessage = 4096;
+constexpr std::string_view kReadLetters = "IMQRALE";  ///< messages of other kinds are skipped
 
-/// The table of a letter and its width; null: of another kind.
-struct StreamTable {
-    Ximu3Table* table = nullptr;
-    size_t width = 0;
-};
-
-StreamTable tableOfLetter(char letter, Ximu3Device& device) {
+/// Adds the values of a message to the table of its letter; false when it has another count of them.
+bool addValues(char letter, double time_s, const std::vector<double>& values, Ximu3Device& device) {
+    const auto add = [&](Ximu3Table& table, size_t width) {
+        if (values.size() == width)
+            table.add(time_s, values.data(), width);
+        return values.size() == width;
+    };
     switch (letter) {
         case 'I':
-            return {&device.inertial, 6};
+            return add(device.inertial, 6);
         case 'M':
-            return {&device.magnetometer, 3};
+            return add(device.magnetometer, 3);
         case 'Q':
-            return {&device.quaternion, 4};
+            return add(device.quaternion, 4);
         case 'R':
-            return {&device.matrix, 9};
-        default:
-            return {};
+            return add(device.matrix, 9);
+        default:  // A, L, E
+            if (values.size() != 3 && (letter == 'A' || values.size() != 7))
+                return false;
+            if (letter == 'A' || values.size() == 7)
+                addOtherAttitude(device.other_attitude, time_s, values.data(), letter == 'A');
+            return true;
     }
 }
 
@@ -67,29 +74,44 @@ double floatAt(const char* bytes) {
     return std::isfinite(value) ? double(value) : kMissing;
 }
 
-bool addBinary(const std::string& plain, const StreamTable& into) {
-    if (plain.size() != 1 + kTimestampBytes + kValueBytes * into.width)
+bool addBinary(char letter, const std::string& plain, Ximu3Device& device) {
+    constexpr size_t kHead = 1 + kTimestampBytes;
+    if (plain.size() < kHead || (plain.size() - kHead) % kValueBytes != 0)
         return false;
-    into.table->time_s.push_back(1e-6 * double(littleEndian<uint64_t>(plain.data() + 1)));
-    for (size_t i = 0; i < into.width; ++i)
-        into.table->values.push_back(floatAt(plain.data() + 1 + kTimestampBytes + kValueBytes * i));
-    return true;
+    std::vector<double> values;
+    for (size_t at = kHead; at < plain.size(); at += kValueBytes)
+        values.push_back(floatAt(plain.data() + at));
+    return addValues(letter, 1e-6 * double(littleEndian<uint64_t>(plain.data() + 1)), values, device);
 }
 
-bool addText(std::string_view message, const StreamTable& into) {
+bool addText(char letter, std::string_view message, Ximu3Device& device) {
     const auto cells = cellsOfLine(message, ',');
-    if (cells.size() != into.width + 2)
+    if (cells.size() < 2)
         return false;
-    std::vector<double> numbers(into.width + 1);
+    std::vector<double> numbers(cells.size() - 1);
     for (size_t i = 0; i < numbers.size(); ++i)
         if (!readCell(cells[i + 1], false, numbers[i]))
             return false;
-    into.table->time_s.push_back(1e-6 * numbers[0]);
-    into.table->values.insert(into.table->values.end(), numbers.begin() + 1, numbers.end());
-    return true;
+    return addValues(letter, 1e-6 * numbers[0], {numbers.begin() + 1, numbers.end()}, device);
 }
 
 }  // namespace
+
+void Ximu3Table::add(double time, const double* row, size_t width) {
+    time_s.push_back(time);
+    values.insert(values.end(), row, row + width);
+}
+
+void addOtherAttitude(Ximu3Table& attitude, double time_s, const double* values, bool are_angles) {
+    if (!are_angles) {
+        attitude.add(time_s, values, 4);
+        return;
+    }
+    const Quaterniond q =
+        rotationFromEuler(kEulerZYX, radians(1) * Vector3d(values[2], values[1], values[0]));
+    const double wxyz[] = {q.w(), q.x(), q.y(), q.z()};
+    attitude.add(time_s, wxyz, 4);
+}
 
 Result<Ximu3Device> parseXimu3(std::string_view bytes, const JobContext& job) {
     Ximu3Device device;
@@ -113,12 +135,12 @@ Result<Ximu3Device> parseXimu3(std::string_view bytes, const JobContext& job) {
             continue;
         }
         const bool binary = (static_cast<unsigned char>(message[0]) & 0x80) != 0;
-        const StreamTable into = tableOfLetter(char(message[0] & 0x7F), device);
-        if (!into.table)
+        const char letter = char(message[0] & 0x7F);
+        if (kReadLetters.find(letter) == std::string_view::npos)
             continue;
-        const bool whole =
-            message.size() <= kLongestMessage &&
-            (binary ? unstuff(message, plain) && addBinary(plain, into) : addText(message, into));
+        const bool whole = message.size() <= kLongestMessage &&
+                           (binary ? unstuff(message, plain) && addBinary(letter, plain, device)
+                                   : addText(letter, message, device));
         device.damaged += !whole;
     }
     return device;

@@ -68,6 +68,52 @@ TEST(Ximu3, CommandsAreReadAndSaid) {
     EXPECT_TRUE(mentions(readAs(files)->warnings, "states of itself cannot be read"));
 }
 
+/// As x-IMU3's first firmware answered.
+TEST(Ximu3, TheFirstNamesOfAPingAreKnown) {
+    const auto read = readAs(
+        {{"rec/a/Command.json",
+          R"([{"ping":{"deviceName":"Left Foot","interface":"USB","serialNumber":"F7E4-5410-EC7B-D7E7"}}])"},
+         {"rec/a/Inertial.csv", ximu3Csv()}});
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_EQ(read->sensors[0].segment, "LeftFoot");
+    EXPECT_TRUE(mentions(read->notes, "serial number F7E4-5410-EC7B-D7E7"));
+}
+
+/// A device sends its attitude in one kind of messages: a quarter turn about z in each of them.
+TEST(Ximu3, AttitudesAreReadFromEveryKindOfMessage) {
+    constexpr float kHalf = 0.70710678f;
+    const auto attitude = [](const std::vector<ImportFile>& files) {
+        const auto read = readAs(files);
+        EXPECT_TRUE(read) << read.error().text();
+        return read && !read->sensors[0].q_world_sensor.empty() ? read->sensors[0].q_world_sensor[0]
+                                                                : Quaterniond(0, 0, 0, 0);
+    };
+    const ImportFile inertial{"rec/a/Inertial.csv", ximu3Csv()};
+    const Quaterniond quarter = attitude(
+        {inertial, {"rec/a/Quaternion.csv", "Timestamp (us),W,X,Y,Z\n1000000,0.707107,0,0,0.707107\n"}});
+    const auto expectSame = [&](const Quaterniond& q, const char* what) {
+        EXPECT_LT(q.angularDistance(quarter), 1e-3) << what;
+    };
+    expectSame(attitude({inertial,
+                         {"rec/a/EulerAngles.csv",
+                          "Timestamp (us),Roll (deg),Pitch (deg),Yaw (deg)\n1000000,0.0,0.0,90.0\n"}}),
+               "angles");
+    expectSame(
+        attitude({inertial,
+                  {"rec/a/EarthAcceleration.csv",
+                   "Timestamp (us),Quaternion W,Quaternion X,Quaternion Y,Quaternion Z,Acceleration X "
+                   "(g),Acceleration Y (g),Acceleration Z (g)\n1000000,0.707107,0,0,0.707107,0,0,1\n"}}),
+        "earth acceleration");
+    std::string stream =
+        ximu3Message('I', 1'000'000, {0, 0, 0, 0, 0, 1}) + ximu3Message('I', 1'002'500, {0, 0, 0, 0, 0, 1});
+    expectSame(attitude({{"a.ximu3", ximu3Message('A', 1'000'000, {0, 0, 90}) + stream}}), "A");
+    expectSame(attitude({{"a.ximu3", ximu3Message('L', 1'000'000, {kHalf, 0, 0, kHalf, 0, 0, 1}) + stream}}),
+               "L");
+    const auto bare = readAs({{"a.ximu3", ximu3Message('L', 1'000'000, {0, 0, 1}) + stream}});
+    ASSERT_TRUE(bare) << bare.error().text();
+    EXPECT_FALSE(mentions(bare->warnings, "damaged")) << "newer firmware sends no quaternion with it";
+}
+
 /// Files named one by one have no folder that joins them.
 TEST(Ximu3, CommandsWithoutAFolderAreTheOnlyDevices) {
     const ImportFile commands{"Command.json", R"([{"ping":{"name":"Left Foot","sn":"64F0EBCE"}}])"};
