@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Xsens MT Manager's text export: one file per sensor, PREFIX_DEVICEID.txt. Columns are found by name; the
-// separator is a tab, comma, semicolon or single blank. Since MT Manager 2019.2 no rate is stated. Source:
-// opensim-core, XsensDataReader.cpp, and exports of MT Manager 4 and 2022.
+// separator is a tab, comma, semicolon or single blank. Since MT Manager 2019.2 no rate is stated. Movella
+// DOT's tables have other units, names and first lines. Sources: opensim-core, XsensDataReader.cpp; exports
+// of MT Manager 4 and 2022; Xsens DOT User Manual, section 4.2.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -18,7 +19,7 @@ namespace noctule {
 
 namespace {
 
-constexpr double kTickOfFineTime_s = 1e-4;
+constexpr double kTickOfFineTime_s = 1e-4, kTickOfDot_s = 1e-6;
 constexpr int64_t kCounterPeriod = 65536;
 
 /// One file, its columns by name.
@@ -29,7 +30,9 @@ struct XsensFile {
     std::map<std::string, std::vector<double>> columns;
     std::vector<int64_t> counts;  ///< unwrapped
     bool cut = false;
+    bool is_dot = false;  ///< of Movella DOT: rates in deg/s
 
+    double tick_s() const { return is_dot ? kTickOfDot_s : kTickOfFineTime_s; }
     bool has(const std::string& name) const {
         const auto found = columns.find(name);
         return found != columns.end() && std::any_of(found->second.begin(), found->second.end(),
@@ -70,6 +73,36 @@ void readHeaderLine(std::string_view line, XsensFile& file) {
         file.stated_world = worldFrameNamed(std::string(text->substr(0, 3)));
 }
 
+/// "OutputRate:,60Hz,,,": a key, a comma and what is left of the commas of a table.
+void readDotLine(std::string_view line, XsensFile& file) {
+    file.is_dot = true;
+    const auto value = [&](std::string_view key) {
+        std::string_view text = line.substr(0, 0);
+        if (const auto found = headerValue(line, key))
+            text = *found;
+        while (!text.empty() && (text.front() == ',' || text.front() == ' '))
+            text.remove_prefix(1);
+        return trimmed(text.substr(0, text.find(',')));
+    };
+    const std::string_view tag = value("DeviceTag:"), rate_text = value("OutputRate:");
+    // As delivered all have the same.
+    if (!tag.empty() && tag.size() < 64 && tag != "Xsens DOT" && tag != "Movella DOT")
+        file.id = std::string(tag);
+    double rate = 0;
+    if (parseNumber(rate_text.data(), rate_text.data() + rate_text.size(), rate) && rate >= 1 &&
+        rate <= 10'000)
+        file.stated_rate_hz = rate;
+}
+
+/// Names of DOT's columns as MT Manager has them; Euler_X is the roll.
+std::string columnName(const std::string& name) {
+    static const std::map<std::string, std::string> dot = {
+        {"Quat_W", "Quat_q0"}, {"Quat_X", "Quat_q1"}, {"Quat_Y", "Quat_q2"}, {"Quat_Z", "Quat_q3"},
+        {"Euler_X", "Roll"},   {"Euler_Y", "Pitch"},  {"Euler_Z", "Yaw"}};
+    const auto found = dot.find(name);
+    return found == dot.end() ? name : found->second;
+}
+
 /// PREFIX_DEVICEID -> DEVICEID.
 std::string deviceOf(const ImportFile& file) {
     const std::string stem = file.stem();
@@ -103,6 +136,25 @@ std::vector<int64_t> unwrapped(const std::vector<double>& counter) {
     return counts;
 }
 
+/// Takes the lines up to the columns' names off `text`; these are returned. `number` counts lines.
+Result<std::string_view> readHead(std::string_view& text, const ImportFile& given, XsensFile& file,
+                                  size_t& number) {
+    while (!text.empty()) {
+        const std::string_view line = cutLine(text);
+        ++number;
+        if (line.starts_with("//"))
+            readHeaderLine(line, file);
+        else if (line.find("PacketCounter") != std::string_view::npos)
+            return line;
+        else if (file.is_dot || line.starts_with("sep=") || line.starts_with("DeviceTag:"))
+            readDotLine(line, file);
+        else if (!trimmed(line).empty())
+            return xsensError(given.path, "line " + std::to_string(number) +
+                                              " is neither a // line nor the names of the columns");
+    }
+    return xsensError(given.path, "there is no line with the columns' names");
+}
+
 Result<XsensFile> readXsensFile(const ImportFile& given, const JobContext& job) {
     XsensFile file;
     file.id = deviceOf(given);
@@ -110,23 +162,12 @@ Result<XsensFile> readXsensFile(const ImportFile& given, const JobContext& job) 
     std::string_view text =
         withoutByteOrderMark(utf8 ? std::string_view(*utf8) : std::string_view(given.bytes));
     size_t number = 0;
-    std::string_view header;
-    while (!text.empty() && header.empty()) {
-        const std::string_view line = cutLine(text);
-        ++number;
-        if (line.starts_with("//"))
-            readHeaderLine(line, file);
-        else if (line.find("PacketCounter") != std::string_view::npos)
-            header = line;
-        else if (!trimmed(line).empty())
-            return xsensError(given.path, "line " + std::to_string(number) +
-                                              " is neither a // line nor the names of the columns");
-    }
-    if (header.empty())
-        return xsensError(given.path, "there is no line with the columns' names");
+    const auto header = readHead(text, given, file, number);
+    if (!header)
+        return header.error();
     ColumnRequest request;
-    request.separator = separatorOf(header);
-    request.names = cellsOfLine(header, request.separator);
+    request.separator = separatorOf(*header);
+    request.names = cellsOfLine(*header, request.separator);
     if (!request.names.empty() && request.names.back().empty())
         request.names.pop_back();
     for (size_t i = 0; i < request.names.size(); ++i)
@@ -138,8 +179,16 @@ Result<XsensFile> readXsensFile(const ImportFile& given, const JobContext& job) 
     if (!columns)
         return columns.error();
     file.cut = columns->cut;
-    for (size_t i = 0; i < request.wanted.size(); ++i)
-        file.columns[request.names[request.wanted[i]]] = std::move(columns->columns[i]);
+    for (size_t i = 0; i < request.wanted.size(); ++i) {
+        const std::string& name = request.names[request.wanted[i]];
+        file.is_dot |= columnName(name) != name;
+        file.columns[columnName(name)] = std::move(columns->columns[i]);
+    }
+    if (file.is_dot) {
+        file.stated_world = WorldFrame::kEastNorthUp;
+        if (file.id == deviceOf(given))
+            file.id = given.stem();  // it ends with a time, not with a device
+    }
     if (!file.has("PacketCounter"))
         return xsensError(given.path, "its packet counter is empty");
     file.counts = unwrapped(file.at("PacketCounter"));
@@ -156,7 +205,7 @@ std::vector<double> clockOf(const XsensFile& file) {
                 turns += 4294967296.0;  // 32 bits
             if (std::isfinite(ticks))
                 last = ticks;
-            time_s.push_back((ticks + turns) * kTickOfFineTime_s);
+            time_s.push_back((ticks + turns) * file.tick_s());
         }
     } else if (file.hasAll({"UTC_Hour", "UTC_Minute", "UTC_Second", "UTC_Nano"})) {
         double days = 0, last = 0;
@@ -251,6 +300,9 @@ SensorRows rowsOf(const XsensFile& file, const Quaterniond& turn) {
                                       : std::vector<Vector3d>();
     };
     rows.gyro_rad_per_s = vectors("Gyr_X", "Gyr_Y", "Gyr_Z");
+    if (file.is_dot)
+        for (Vector3d& rate : rows.gyro_rad_per_s)
+            rate *= radians(1);
     rows.accel_m_per_s2 = vectors("Acc_X", "Acc_Y", "Acc_Z");
     rows.mag = vectors("Mag_X", "Mag_Y", "Mag_Z");
     rows.q_world_sensor = attitudesOf(file, turn);
@@ -314,7 +366,9 @@ Result<ImportedRecording> readXsensText(const std::vector<ImportFile>& given, co
             recording.warnings.push_back(finding);
         recording.sensors.push_back(std::move(sensor));
     }
-    recording.notes = {"Rates are rad/s, accelerations m/s^2 with gravity, as MT Manager writes them",
+    recording.notes = {files.front().is_dot
+                           ? "Rates are deg/s in Movella DOT's tables; they were converted to rad/s"
+                           : "Rates are rad/s, accelerations m/s^2 with gravity, as MT Manager writes them",
                        "Attitudes take the sensor's frame to " + worldFrameText(world),
                        "Sensors are aligned by their packet counters"};
     return recording;

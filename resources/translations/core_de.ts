@@ -2935,6 +2935,10 @@
         <translation>Auf jedes Glied einen Sensor setzen</translation>
     </message>
     <message>
+        <source>Rates are deg/s in Movella DOT's tables; they were converted to rad/s</source>
+        <translation>Drehraten sind in Movella DOTs Tabellen deg/s; sie wurden in rad/s umgerechnet</translation>
+    </message>
+    <message>
         <source>Rates are rad/s, accelerations m/s^2 with gravity, as MT Manager writes them</source>
         <translation>Drehraten sind rad/s, Beschleunigungen m/s^2 mit Schwerkraft, wie MT Manager sie schreibt</translation>
     </message>
