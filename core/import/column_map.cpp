@@ -250,6 +250,8 @@ Result<ImportedRecording> readMapped(const ImportFile& file, const TableHead& he
         return sensors.error();
     ColumnRequest request{head.separator, head.names, reader.wanted(), head.first_line,
                           head.separator != ','};
+    if (time)
+        request.time = reader.wanted()[*time];
     const auto table = columnsOfText(head.rows, request, file.path, job);
     if (!table)
         return table.error();

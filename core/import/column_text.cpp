@@ -68,7 +68,8 @@ public:
         for (size_t i = 0; i < request_.wanted.size(); ++i) {
             const std::string_view cell = cells[request_.wanted[i]];
             double value = kMissing;
-            if (!readCell(cell, request_.decimal_comma, value))
+            if (!readCell(cell, request_.decimal_comma, value) &&
+                !(request_.wanted[i] == request_.time && readTime(cell, value)))
                 return damaged(number, "column " + request_.names[request_.wanted[i]] + " holds " +
                                            inQuotes(cell) + ", which is no number");
             result_.missing += std::isnan(value);
@@ -85,6 +86,12 @@ public:
     }
 
 private:
+    static bool readTime(std::string_view cell, double& value) {
+        const auto instant = readInstant(cell);
+        value = instant.value_or(kMissing);
+        return instant.has_value();
+    }
+
     const ColumnRequest& request_;
     const std::string& where_;
     RowSplitter splitter_;

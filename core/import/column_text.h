@@ -4,6 +4,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,10 +17,11 @@ inline constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
 struct ColumnRequest {
     char separator = ',';
-    std::vector<std::string> names;  ///< the header's cells: a row has as many
-    std::vector<size_t> wanted;      ///< indices in `names`
-    size_t first_line = 2;           ///< number of the first row's line, for messages
-    bool decimal_comma = false;      ///< "0,25" is a number
+    std::vector<std::string> names;   ///< the header's cells: a row has as many
+    std::vector<size_t> wanted;       ///< indices in `names`
+    size_t first_line = 2;            ///< number of the first row's line, for messages
+    bool decimal_comma = false;       ///< "0,25" is a number
+    std::optional<size_t> time = {};  ///< in `names`: its cells may be dates
 };
 
 struct NumberColumns {
@@ -43,5 +45,9 @@ char separatorOf(std::string_view header);
 
 /// A number, or kMissing for nothing, NaN or infinity; false when it is neither.
 bool readCell(std::string_view cell, bool decimal_comma, double& value);
+
+/// "2024-05-01T10:00:00.25Z", "2024/05/01 10:00:00,25", "10:00:00.25": seconds since 1970, or of the day.
+/// Nothing when it is no such instant. Without a zone it counts as UTC.
+std::optional<double> readInstant(std::string_view cell);
 
 }  // namespace noctule

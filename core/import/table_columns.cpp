@@ -88,8 +88,9 @@ const std::map<std::string, TableQuantity>& quantityWords() {
     return words;
 }
 
-constexpr std::string_view kEmptyWords[] = {"linear",     "velocity", "field", "raw",  "data", "value",
-                                            "calibrated", "sensor",   "rate",  "read", "free"};
+constexpr std::string_view kEmptyWords[] = {
+    "linear", "velocity", "field", "raw", "data", "value",   "calibrated", "sensor", "rate",
+    "read",   "free",     "cal",   "ln",  "wr",   "noraxon", "myo",        "motion", "segments"};
 
 std::optional<size_t> axisOf(const std::string& word, bool is_quaternion) {
     static const std::string axes = "wxyz";
@@ -161,15 +162,41 @@ void tellByName(TableColumn& column, const NameParts& parts) {
         column.sensor = sensor.empty() ? "sensor" : sensor;
 }
 
+/// One time will do, and one of several accelerations: "Acc_X" goes before "FreeAcc_X". The shorter name
+/// stays.
+void dropDoubles(TableColumns& table) {
+    std::vector<TableColumn>& columns = table.columns;
+    const auto same = [](const TableColumn& a, const TableColumn& b) {
+        return a.quantity != TableQuantity::kNothing && a.quantity == b.quantity && a.axis == b.axis &&
+               a.sensor == b.sensor;
+    };
+    for (size_t i = 0; i < columns.size(); ++i)
+        for (size_t j = 0; j < i; ++j)
+            if (same(columns[i], columns[j])) {
+                const bool is_time = columns[i].quantity == TableQuantity::kTime;
+                const bool later = !is_time && columns[i].name.size() < columns[j].name.size();
+                TableColumn& dropped = columns[later ? j : i];
+                dropped.quantity = TableQuantity::kNothing;
+                dropped.axis = 0;
+                dropped.sensor.clear();
+            }
+}
+
 /// A unit as programs write it; empty: not known.
 std::string unitNamed(TableQuantity quantity, std::string text) {
     std::erase(text, ' ');
+    if (text.size() > 2 && (text.front() == '(' || text.front() == '['))
+        text = text.substr(1, text.size() - 2);
+    if (quantity == TableQuantity::kAccel && (text == "G" || text == "mG"))
+        text = text == "G" ? "g" : "mg";
     static const std::map<std::string, std::string> same = {
-        {"m/s2", "m/s^2"}, {"m/s²", "m/s^2"}, {"ms-2", "m/s^2"},    {"m/s/s", "m/s^2"},   {"°/s", "deg/s"},
-        {"dps", "deg/s"},  {"degs", "deg/s"}, {"deg/sec", "deg/s"}, {"rad/sec", "rad/s"}, {"rads", "rad/s"},
-        {"µT", "uT"},      {"μT", "uT"},      {"ut", "uT"},         {"gauss", "G"},       {"Gauss", "G"},
-        {"mgauss", "mG"},  {"sec", "s"},      {"seconds", "s"},     {"msec", "ms"},       {"µs", "us"},
-        {"μs", "us"},      {"usec", "us"}};
+        {"m/s2", "m/s^2"},      {"m/s²", "m/s^2"},      {"ms-2", "m/s^2"},    {"m/(s^2)", "m/s^2"},
+        {"m/(sec^2)", "m/s^2"}, {"local_flux", "a.u."}, {"m/s/s", "m/s^2"},   {"°/s", "deg/s"},
+        {"dps", "deg/s"},       {"degs", "deg/s"},      {"deg/sec", "deg/s"}, {"rad/sec", "rad/s"},
+        {"rads", "rad/s"},      {"µT", "uT"},           {"μT", "uT"},         {"ut", "uT"},
+        {"gauss", "G"},         {"Gauss", "G"},         {"mgauss", "mG"},     {"sec", "s"},
+        {"seconds", "s"},       {"msec", "ms"},         {"µs", "us"},         {"μs", "us"},
+        {"usec", "us"}};
     if (const auto found = same.find(text); found != same.end())
         text = found->second;
     for (const TableUnit& unit : unitsOf(quantity))
@@ -190,7 +217,8 @@ std::vector<std::vector<double>> firstValues(const TableHead& head, TableColumns
         const std::vector<std::string> cells = cellsOfLine(line, head.separator);
         for (size_t i = 0; i < std::min(cells.size(), values.size()); ++i) {
             double value = kMissing;
-            readCell(cells[i], head.separator != ',', value);
+            if (!readCell(cells[i], head.separator != ',', value))
+                value = readInstant(cells[i]).value_or(kMissing);
             values[i].push_back(value);
             if (row < kShownCells)
                 table.columns[i].cells.push_back(cells[i]);
@@ -338,34 +366,6 @@ std::span<const TableUnit> unitsOf(TableQuantity quantity) {
     }
 }
 
-Result<TableHead> tableHead(std::string_view text, const std::string& path) {
-    TableHead head;
-    for (size_t line_number = 1; !text.empty() && line_number <= 200; ++line_number) {
-        const std::string_view before = text;
-        const std::string_view line = cutLine(text);
-        if (trimmed(line).empty() || line.front() == '#' || line.starts_with("//"))
-            continue;
-        head.separator = separatorOf(line);
-        head.names = cellsOfLine(line, head.separator);
-        if (head.names.size() < 2)
-            continue;
-        const bool numbers = std::all_of(head.names.begin(), head.names.end(), [](const std::string& cell) {
-            double value;
-            return readCell(cell, true, value);
-        });
-        head.first_line = line_number + (numbers ? 0 : 1);
-        head.rows = numbers ? before : text;
-        head.has_names = !numbers;
-        for (size_t i = 0; numbers && i < head.names.size(); ++i)
-            head.names[i] = "column " + std::to_string(i + 1);
-        if (head.names.back().empty())
-            head.names.pop_back();
-        return head;
-    }
-    return Error{ErrorKind::kUnreadable, path + ": no line has the names of columns or numbers",
-                 "Give a table with comma, semicolon, tab or blank between its cells"};
-}
-
 Result<TableColumns> guessColumns(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     std::string bytes(kLookedAtBytes, '\0');
@@ -382,18 +382,17 @@ Result<TableColumns> guessColumns(const std::string& path) {
         table.columns.push_back({name, {}, TableQuantity::kNothing, 0, {}});
         tellByName(table.columns.back(), partsOf(name));
     }
+    dropDoubles(table);
     const auto values = firstValues(*head, table, bytes.size() == kLookedAtBytes);
     if (values.front().empty())
         return Error{ErrorKind::kUnreadable, path + ": there is a header and no row below it",
                      "Give a table with numbers"};
     tellUnits(table, values);
-    for (const TableColumn& column : table.columns)
-        takeUnit(table, column.quantity, partsOf(column.name).unit);
-    // One time will do.
-    const auto first = std::ranges::find(table.columns, TableQuantity::kTime, &TableColumn::quantity);
-    for (auto column = first; column != table.columns.end(); ++column)
-        if (column != first && column->quantity == TableQuantity::kTime)
-            column->quantity = TableQuantity::kNothing;
+    for (size_t i = 0; i < table.columns.size(); ++i) {
+        if (!head->units.empty())
+            takeUnit(table, table.columns[i].quantity, head->units[i]);
+        takeUnit(table, table.columns[i].quantity, partsOf(table.columns[i].name).unit);
+    }
     return table;
 }
 

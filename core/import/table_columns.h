@@ -16,12 +16,14 @@ namespace noctule {
 /// The table's header and where its rows begin.
 struct TableHead {
     std::vector<std::string> names;
+    std::vector<std::string> units;  ///< of a line below the names; empty, or one per name
     char separator = ',';
     size_t first_line = 1;
     std::string_view rows;
     bool has_names = true;
 };
-/// The first line with two cells of which one is no number is the header; a table without has columns 1, 2...
+/// The header is the first line with two cells of which one is no number and which most lines below it match
+/// in their count of cells: other lines before a table are narrower. A table without has columns 1, 2...
 Result<TableHead> tableHead(std::string_view text, const std::string& path);
 
 enum class TableQuantity { kNothing, kTime, kGyro, kAccel, kMag, kQuaternion };
