@@ -731,8 +731,8 @@
         <translation>Für ein besseres Ergebnis den Drehteller um ein drittel Grad neigen und wiederholen</translation>
     </message>
     <message>
-        <source>Of %1 boards the zeros are known to %2 °/s and the slopes to %3 %</source>
-        <translation>Von %1 Platinen sind die Nullpunkte auf %2 °/s und die Steigungen auf %3 % bekannt</translation>
+        <source>Leave box and boards switched on from the first side to the last and repeat: a zero jumped between two takes, as it does when a board is switched off</source>
+        <translation>Box und Platinen von der ersten bis zur letzten Seite eingeschaltet lassen und wiederholen: ein Nullpunkt ist zwischen zwei Aufnahmen gesprungen, wie wenn eine Platine ausgeschaltet wird</translation>
     </message>
     <message>
         <source>Push its plug in until it clicks, then repeat its six turns</source>
@@ -765,6 +765,10 @@
     <message>
         <source>The table's true speed does not show, as it stands level or turned too briefly; %1 counts, which is good to about 0.1 %</source>
         <translation>Die wahre Drehzahl des Drehtellers zeigt sich nicht, da er waagrecht steht oder sich zu kurz drehte; es gilt %1, auf etwa 0,1 % genau</translation>
+    </message>
+    <message>
+        <source>The zeros and slopes of %1 boards are uncertain; worst is %2, whose zero is known to %3 °/s and slope to %4 %</source>
+        <translation>Nullpunkte und Steigungen von %1 Platinen sind unsicher; am schlechtesten ist %2: Nullpunkt auf %3 °/s, Steigung auf %4 % bekannt</translation>
     </message>
     <message>
         <source>Turn it with its %1 side up as well, the table turning as before</source>

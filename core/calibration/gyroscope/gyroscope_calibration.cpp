@@ -125,8 +125,9 @@ public:
         }
         for (const GyroWork& work : works)
             finish(work);
-        sayUncertain(Grade::kNotUsable);
-        sayUncertain(Grade::kUsable);
+        for (const Grade grade : {Grade::kNotUsable, Grade::kUsable})
+            for (const bool restarted : {true, false})
+                sayUncertain(grade, restarted);
         return std::move(report_);
     }
 
@@ -219,46 +220,55 @@ private:
             grade = Grade::kUsable;
         board.grade = std::max(board.grade, grade);
         if (grade != Grade::kGood)
-            uncertain_.push_back({grade, work.table->record, zero, slope});
+            uncertain_.push_back(
+                {grade, work.fit.restart_probability > 0.5, work.table->record, zero, slope});
         if (grade == Grade::kNotUsable)
             board.axes.reset();
     }
 
-    /// One cause, so one finding: the boards turned together.
-    void sayUncertain(Grade grade) {
-        std::vector<std::string> ids;
-        const UncertainBoard* one = nullptr;
-        double zero = 0, slope = 0;
-        const auto orInfinite = [](double sigma) { return std::isfinite(sigma) ? sigma : INFINITY; };
-        for (const UncertainBoard& board : uncertain_)
-            if (board.grade == grade) {
-                ids.push_back(board.record->id);
-                one = &board;
-                zero = std::max(zero, orInfinite(board.zero_rad_per_s));
-                slope = std::max(slope, orInfinite(board.slope));
-            }
-        const char* const remedy =
-            "Turn the six sides one soon after the other, each evenly for nine seconds or more";
-        if (ids.size() == 1)
-            report_.findings.push_back({grade, one->record->id,
-                                        text::capitalised(one->record->words) + ": its zero is known to " +
-                                            text::number(degrees(zero), 3) + " °/s and its slope to " +
-                                            text::number(100 * slope, 2) + " %",
-                                        remedy});
-        else if (ids.size() > 1)
-            report_.findings.push_back({grade, "",
-                                        "Of " + std::to_string(ids.size()) +
-                                            " boards the zeros are known to " +
-                                            text::number(degrees(zero), 3) + " °/s and the slopes to " +
-                                            text::number(100 * slope, 2) + " %",
-                                        remedy, ids});
-    }
-
     struct UncertainBoard {
         Grade grade;
+        bool restarted;  ///< between two takes
         const BoardRecord* record;
         double zero_rad_per_s, slope;
+
+        /// How far beyond what is usable; not finite: nothing was found.
+        double excess() const {
+            const double worse =
+                std::max(zero_rad_per_s / GyroLimits::kZero_rad_per_s, slope / GyroLimits::kSlope);
+            return std::isfinite(worse) ? worse : INFINITY;
+        }
     };
+
+    /// One cause, so one finding: the boards turned together.
+    void sayUncertain(Grade grade, bool restarted) {
+        std::vector<const UncertainBoard*> boards;
+        for (const UncertainBoard& board : uncertain_)
+            if (board.grade == grade && board.restarted == restarted)
+                boards.push_back(&board);
+        if (boards.empty())
+            return;
+        const UncertainBoard& worst = **std::ranges::max_element(boards, {}, &UncertainBoard::excess);
+        Finding finding{grade, worst.record->id,
+                        text::capitalised(worst.record->words) + ": its zero is known to " +
+                            text::number(degrees(worst.zero_rad_per_s), 3) + " °/s and its slope to " +
+                            text::number(100 * worst.slope, 2) + " %",
+                        "Turn the six sides one soon after the other, each evenly for nine seconds or more"};
+        if (restarted)
+            finding.remedy =
+                "Leave box and boards switched on from the first side to the last and repeat: a zero jumped "
+                "between two takes, as it does when a board is switched off";
+        if (boards.size() > 1) {
+            finding.part.clear();
+            finding.what = "The zeros and slopes of " + std::to_string(boards.size()) +
+                           " boards are uncertain; worst is " + worst.record->words +
+                           ", whose zero is known to " + text::number(degrees(worst.zero_rad_per_s), 3) +
+                           " °/s and slope to " + text::number(100 * worst.slope, 2) + " %";
+            for (const UncertainBoard* board : boards)
+                finding.parts.push_back(board->record->id);
+        }
+        report_.findings.push_back(finding);
+    }
 
     const std::vector<Observations>& takes_;
     std::vector<BoardRecord> records_;

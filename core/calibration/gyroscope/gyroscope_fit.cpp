@@ -3,6 +3,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/math/linear_solvers.h"
@@ -10,15 +11,20 @@
 namespace noctule {
 namespace {
 
-constexpr double kSigmaJump_counts = 1;  ///< of a zero from one take to another of another day
+constexpr double kSigmaJump_counts = 1;  ///< of a zero when its board starts anew, and of another day
+constexpr double kJump_counts2 = kSigmaJump_counts * kSigmaJump_counts;
 constexpr double kLeastSigma_counts = 0.002;
+constexpr double kRestartProbability = 0.01;  ///< between two takes of one sitting, before the data speak
+constexpr double kNoRestart = 1e-5;           ///< probabilities below it are taken for none
 
 /// One axis of the gyroscope: its row of matrix^-1, then the zero of every stretch.
 struct GyroRow {
     Eigen::VectorXd x;
     Eigen::MatrixXd covariance;
     double chi_square = 0;
+    double log_evidence = 0;  ///< how likely the counts are with these steps; up to a constant
 };
+using GyroRows = std::array<GyroRow, 3>;
 
 double middleOf_s(const KnownRate& stretch) {
     return (stretch.begin_s + stretch.end_s) / 2;
@@ -28,7 +34,6 @@ double middleOf_s(const KnownRate& stretch) {
 double wanderVariance(const KnownRate& before, const KnownRate& after, double wander_counts2_per_s) {
     if (before.take == after.take)
         return wander_counts2_per_s * std::max(middleOf_s(after) - middleOf_s(before), 0.1);
-    constexpr double kJump_counts2 = kSigmaJump_counts * kSigmaJump_counts;
     if (!before.take_began_s || !after.take_began_s)
         return kJump_counts2;
     // Takes begin to the second; two stretches never overlap.
@@ -38,10 +43,19 @@ double wanderVariance(const KnownRate& before, const KnownRate& after, double wa
     return std::min(kJump_counts2, wander_counts2_per_s * std::max(apart_s, least_s));
 }
 
-GyroRow fitRow(const std::vector<KnownRate>& stretches, int axis, double wander_counts2_per_s) {
+/// Variance of a zero's step to each stretch from the one before; of the first unused.
+std::vector<double> stepsOf(const std::vector<KnownRate>& stretches, double wander_counts2_per_s) {
+    std::vector<double> steps_counts2(stretches.size(), kJump_counts2);
+    for (size_t k = 1; k < stretches.size(); ++k)
+        steps_counts2[k] = wanderVariance(stretches[k - 1], stretches[k], wander_counts2_per_s);
+    return steps_counts2;
+}
+
+GyroRow fitRow(const std::vector<KnownRate>& stretches, int axis, const std::vector<double>& steps_counts2) {
     const auto count = static_cast<Eigen::Index>(stretches.size());
     Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(2 * count - 1, 3 + count);
     Eigen::VectorXd right = Eigen::VectorXd::Zero(2 * count - 1);
+    GyroRow row;
     for (Eigen::Index k = 0; k < count; ++k) {
         const KnownRate& stretch = stretches[static_cast<size_t>(k)];
         const double sigma = std::max(stretch.mean.sigma[axis], kLeastSigma_counts);
@@ -50,16 +64,85 @@ GyroRow fitRow(const std::vector<KnownRate>& stretches, int axis, double wander_
         right[k] = stretch.mean.counts[axis] / sigma;
         if (k == 0)
             continue;
-        const double step =
-            std::sqrt(wanderVariance(stretches[static_cast<size_t>(k - 1)], stretch, wander_counts2_per_s));
+        const double step = std::sqrt(steps_counts2[static_cast<size_t>(k)]);
         rows(count + k - 1, 3 + k) = 1 / step;
         rows(count + k - 1, 2 + k) = -1 / step;
+        row.log_evidence -= std::log(step);
     }
-    GyroRow row;
     row.covariance = inverseOf(rows.transpose() * rows);
     row.x = solveLeastSquares(rows, right);
     row.chi_square = (rows * row.x - right).squaredNorm();
+    row.log_evidence += (eigenvaluesOf(row.covariance).array().log().sum() - row.chi_square) / 2;
     return row;
+}
+
+GyroRows fitRows(const std::vector<KnownRate>& stretches, const std::vector<double>& steps_counts2) {
+    GyroRows rows;
+    for (int axis = 0; axis < 3; ++axis)
+        rows[static_cast<size_t>(axis)] = fitRow(stretches, axis, steps_counts2);
+    return rows;
+}
+
+double chiSquareOf(const GyroRows& rows) {
+    return rows[0].chi_square + rows[1].chi_square + rows[2].chi_square;
+}
+
+double logEvidenceOf(const GyroRows& rows) {
+    return rows[0].log_evidence + rows[1].log_evidence + rows[2].log_evidence;
+}
+
+/// As if both were drawn with these probabilities: what they disagree about is uncertain, too.
+void mix(GyroRow& one, const GyroRow& other, double share_of_other) {
+    const Eigen::VectorXd apart = other.x - one.x;
+    one.covariance = (1 - share_of_other) * one.covariance + share_of_other * other.covariance +
+                     share_of_other * (1 - share_of_other) * apart * apart.transpose();
+    one.x += share_of_other * apart;
+}
+
+/// All axes, and whether the board started anew within a sitting.
+struct SittingFit {
+    GyroRows rows;
+    double chi_square = 0;
+    double restart_probability = 0;
+};
+
+/// A board that was switched off between two takes has another zero, and no clock in a take tells of it. The
+/// counts do: a jump after each single take, and after each of them, is held against none (Bayes). Which take
+/// it came after cannot always be told, so with a jump all takes count as of different days.
+SittingFit fitSitting(const std::vector<KnownRate>& stretches, double wander_counts2_per_s) {
+    const std::vector<double> together = stepsOf(stretches, wander_counts2_per_s);
+    std::vector<double> apart = together;
+    SittingFit fit{fitRows(stretches, together)};
+    const double evidence_of_none = logEvidenceOf(fit.rows);
+    double sum = 1, chi_square = chiSquareOf(fit.rows);
+    const auto weigh = [&](const GyroRows& rows) {
+        // Bounded: it shall stay a number.
+        const double weight =
+            kRestartProbability * std::exp(std::min(logEvidenceOf(rows) - evidence_of_none, 600.0));
+        if (!std::isfinite(weight))
+            return;
+        sum += weight;
+        chi_square += weight * chiSquareOf(rows);
+    };
+    for (size_t k = 1; k < stretches.size(); ++k) {
+        if (stretches[k].take == stretches[k - 1].take || together[k] >= kJump_counts2)
+            continue;
+        std::vector<double> once = together;
+        once[k] = apart[k] = kJump_counts2;
+        weigh(fitRows(stretches, once));
+    }
+    fit.chi_square = chiSquareOf(fit.rows);
+    if (apart == together)
+        return fit;
+    const GyroRows rows_apart = fitRows(stretches, apart);
+    weigh(rows_apart);
+    fit.restart_probability = 1 - 1 / sum;
+    if (fit.restart_probability < kNoRestart)
+        return fit;
+    fit.chi_square = chi_square / sum;
+    for (size_t axis = 0; axis < 3; ++axis)
+        mix(fit.rows[axis], rows_apart[axis], fit.restart_probability);
+    return fit;
 }
 
 /// Each stretch counts as long as it lasts.
@@ -76,19 +159,21 @@ GyroscopeFit fitGyroscope(const std::vector<KnownRate>& stretches, double wander
     GyroscopeFit fit;
     fit.zeros_counts.resize(stretches.size());
     const Eigen::VectorXd share = shareOfTime(stretches);
+    const SittingFit sitting = fitSitting(stretches, wander_counts2_per_s);
     Matrix3d counts_per_rate;
     std::array<Matrix3d, 3> covariances;
     Vector3d sigma_zero;
     for (int axis = 0; axis < 3; ++axis) {
-        const GyroRow row = fitRow(stretches, axis, wander_counts2_per_s);
+        const GyroRow& row = sitting.rows[static_cast<size_t>(axis)];
         counts_per_rate.row(axis) = row.x.head<3>();
         covariances[static_cast<size_t>(axis)] = row.covariance.topLeftCorner<3, 3>();
         for (size_t k = 0; k < stretches.size(); ++k)
             fit.zeros_counts[k][axis] = row.x[3 + static_cast<Eigen::Index>(k)];
         fit.axes.zero_counts[axis] = share.dot(row.x);
         sigma_zero[axis] = std::sqrt(share.dot(row.covariance * share));
-        fit.chi_square += row.chi_square;
     }
+    fit.chi_square = sitting.chi_square;
+    fit.restart_probability = sitting.restart_probability;
     fit.freedoms = 3 * (static_cast<int>(stretches.size()) - 4);
     fit.axes.sigma_zero_counts = sigma_zero;
     const Matrix3d M = counts_per_rate.inverse();

@@ -28,6 +28,8 @@ struct GyroscopeFit {
     std::vector<Vector3d> zeros_counts;  ///< of each stretch
     double chi_square = 0;               ///< over all three axes, measurements and wandering
     int freedoms = 0;                    ///< what chi_square is on average
+    /// That the board was switched off between two takes of one sitting. Sigmas contain it.
+    double restart_probability = 0;
 };
 
 /// `stretches` in order of time, with three different axes of turning. `wander_counts2_per_s`: variance of a

@@ -247,11 +247,39 @@ TEST(GyroscopeCalibration, TurnsThatAreTakesOfTheirOwnAreSurerWhenTheyWereTakenI
     for (size_t b = 0; b < apart.boards.size(); ++b)
         EXPECT_LT(report.boards[b].sigmaSlope(), 0.6 * apart.boards[b].sigmaSlope());
     const Finding finding = test::onlyFinding(apart.findings, "");
-    EXPECT_TRUE(finding.what.starts_with("Of 3 boards the zeros are known to ")) << finding.what;
+    const auto sigmaOf = [](const GyroscopeBoard& board) {
+        return std::max(board.sigmaZero_rad_per_s() / GyroscopeLimits::kZero_rad_per_s,
+                        board.sigmaSlope() / GyroscopeLimits::kSlope);
+    };
+    const auto worst = std::ranges::max_element(apart.boards, {}, sigmaOf) - apart.boards.begin();
+    EXPECT_TRUE(finding.what.starts_with("The zeros and slopes of 3 boards are uncertain; worst is board " +
+                                         std::to_string(worst + 1) + ", "))
+        << finding.what;
     EXPECT_EQ(finding.grade, Grade::kUsable);
     for (const Board& board : takes[0].suit.boards)
         EXPECT_TRUE(finding.concerns(board.id));
     EXPECT_FALSE(finding.concerns("somebody_else")) << "the others keep their grade";
+}
+
+TEST(GyroscopeCalibration, BoardsThatWereSwitchedOffBetweenTurnsAreToldSo) {
+    std::vector<Observations> takes;
+    for (const BoardSide side : kBoardSides)
+        takes.push_back(turnAlone(side.name()));
+    std::ranges::sort(takes, {}, [](const Observations& take) { return take.boards[0].front().time_s; });
+    for (Observations& take : takes)
+        take.began_s = 1.8e9;
+    for (size_t k = 3; k < takes.size(); ++k)
+        for (size_t b = 0; b < 2; ++b)
+            test::changeReadings(takes[k], b, {0, takes[k].duration_s, ""},
+                                 [](CountReading& reading) { reading.gyro_counts += Vector3d(2, -3, 2); });
+    const GyroscopeReport report = calibrateGyroscopes(takes, 45);
+    const auto told = std::ranges::find_if(report.findings, [](const Finding& finding) {
+        return finding.remedy.starts_with("Leave box and boards switched on");
+    });
+    ASSERT_NE(told, report.findings.end());
+    EXPECT_EQ(told->parts, (std::vector{takes[0].suit.boards[0].id, takes[0].suit.boards[1].id}))
+        << "the third stayed on";
+    EXPECT_GT(report.boards[0].sigmaSlope(), 2 * report.boards[2].sigmaSlope());
 }
 
 GyroscopeReport withoutTurns(const std::vector<std::string>& sides) {

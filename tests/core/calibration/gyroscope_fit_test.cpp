@@ -110,5 +110,65 @@ TEST(GyroscopeFit, TakesOfOneSittingCountAsOne) {
                 0.93, 0.07);
 }
 
+/// Error over sigma, squared, in the mean over many sittings of six takes, one for each side.
+struct SittingErrors {
+    double slopes = 0, zeros = 0, restart_probability = 0;
+};
+
+constexpr int kSittings = 400;
+
+/// `has_restart`: each time the board is switched off after one of the takes, whichever it is.
+SittingErrors errorsOfSittings(bool with_rests, bool has_restart) {
+    constexpr double kNoise_counts = 0.02, kWander_counts2_per_s = 1e-5, kRestart_counts = 1;
+    const KnownGyroscope truth;
+    SittingErrors errors;
+    for (int run = 0; run < kSittings; ++run) {
+        simulation::Random random(static_cast<uint64_t>(run + 1), "gyroscope sitting");
+        const int restarts_in = has_restart ? 1 + run % 5 : -1;
+        std::vector<KnownRate> sitting;
+        Vector3d wandered_counts = Vector3d::Zero(), sum_counts = Vector3d::Zero();
+        for (KnownRate stretch : truth.stretches(kNoise_counts)) {
+            const bool is_rest = stretch.rate_rad_per_s.isZero();
+            stretch.take = static_cast<int>(std::lround(stretch.begin_s / kStep_s)) / 2;
+            stretch.take_began_s = 1.8e9;
+            wandered_counts += random.gaussianVector(std::sqrt(kWander_counts2_per_s * kStep_s));
+            if (is_rest && stretch.take == restarts_in)
+                wandered_counts += random.gaussianVector(kRestart_counts);
+            if (is_rest && !with_rests)
+                continue;
+            stretch.mean.counts += wandered_counts + random.gaussianVector(kNoise_counts);
+            sum_counts += truth.zero_counts + wandered_counts;
+            sitting.push_back(stretch);
+        }
+        const Vector3d mean_counts = sum_counts / static_cast<double>(sitting.size());
+        const GyroscopeFit fit = fitGyroscope(sitting, kWander_counts2_per_s);
+        errors.slopes +=
+            (fit.axes.matrix - truth.matrix).cwiseQuotient(fit.sigma_matrix).squaredNorm() / (9 * kSittings);
+        errors.zeros +=
+            (fit.axes.zero_counts - mean_counts).cwiseQuotient(*fit.axes.sigma_zero_counts).squaredNorm() /
+            (3 * kSittings);
+        errors.restart_probability += fit.restart_probability / kSittings;
+    }
+    return errors;
+}
+
+/// No clock of a take tells that a board was switched off between two: the zeros do.
+TEST(GyroscopeFit, SigmasAreHonestWhetherOrNotABoardWasSwitchedOffBetweenTakes) {
+    const double tolerance = 3 * std::sqrt(2.0 / (3 * kSittings));
+    for (const bool with_rests : {true, false}) {
+        SCOPED_TRACE(with_rests ? "a rest before each turn" : "turns alone");
+        const SittingErrors on = errorsOfSittings(with_rests, false);
+        EXPECT_NEAR(on.slopes, 1, tolerance);
+        EXPECT_NEAR(on.zeros, 1, tolerance);
+        EXPECT_LT(on.restart_probability, 0.01);
+        const SittingErrors off = errorsOfSittings(with_rests, true);
+        EXPECT_LT(off.slopes, 1 + tolerance) << "over a hundred where nobody notices";
+        EXPECT_NEAR(off.zeros, 1, tolerance);
+        EXPECT_GT(off.restart_probability, 0.97);
+        // Which of the takes it was is not believed: of turns alone that costs more than it must.
+        EXPECT_GT(off.slopes, with_rests ? 1 - tolerance : 0.05);
+    }
+}
+
 }  // namespace
 }  // namespace noctule
