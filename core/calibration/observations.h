@@ -39,8 +39,9 @@ struct Stretch {
 };
 
 struct Observations {
-    std::string take;  ///< file name, for messages
-    std::string kind;  ///< motion, jig, level, turntable
+    std::string take;        ///< file name, for messages
+    std::string box_serial;  ///< empty: not stated
+    std::string kind;        ///< motion, jig, level, turntable
     double duration_s = 0;
     std::optional<double> began_s;  ///< UTC since 1970, to the second; absent: unknown
     double g_m_per_s2 = kStandardGravity_m_per_s2;

@@ -88,7 +88,9 @@ public:
     Stamp(const std::string& procedure, const CalibrateRequest& request, const std::vector<Finding>& findings)
         : procedure_(procedure), created_utc_(request.created_utc), findings_(findings) {}
 
-    void put(Calibration& found, const Calibration& base, const Suit& suit) const {
+    /// `evidence`: of the suit that was calibrated.
+    void put(Calibration& found, const Calibration& base, const Observations& evidence) const {
+        const Suit& suit = evidence.suit;
         const nlohmann::json now = toJson(found), before = toJson(base);
         for (BoardCalibration& board : found.boards)
             if (const int index = suit.findBoard(board.id);
@@ -99,6 +101,8 @@ public:
                 index >= 0 && changed(now, before, "sources", source.id))
                 put(source, suit.sources[static_cast<size_t>(index)].serial);
         found.created_utc = created_utc_;
+        if (!evidence.box_serial.empty() && now != before)
+            found.box_serial = evidence.box_serial;
     }
 
 private:
@@ -135,7 +139,7 @@ CalibrationResult resultOf(Report report, const CalibrateRequest& request, const
                            const std::string& procedure, Calibration found) {
     leaveOut(request, evidence, procedure, report.findings, found);
     CalibrationResult result;
-    Stamp(procedure, request, report.findings).put(found, evidence.base, evidence.takes[0].suit);
+    Stamp(procedure, request, report.findings).put(found, evidence.base, evidence.takes[0]);
     result.calibration = std::move(found);
     result.document = documentOf(report);
     result.document.created_utc = request.created_utc;

@@ -30,8 +30,8 @@ struct CalibrateRequest {
 };
 
 struct CalibrationResult {
-    /// The base with what was found. Parts whose values changed carry their serial number and when and how
-    /// well they were calibrated.
+    /// The base with what was found, named after the box of the first take. Parts whose values changed carry
+    /// their serial number and when and how well they were calibrated.
     Calibration calibration;
     CalibrationDocument document;         ///< for people
     nlohmann::json json;                  ///< values, sigmas, residuals, verdict, reasons: for machines

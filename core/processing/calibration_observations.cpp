@@ -189,6 +189,7 @@ Result<Observations> readObservations(const Take& take, Detector detector, const
     const double rate_hz = in->decoder.train.sample_rate_hz;
     Observations all;
     all.take = std::filesystem::path(take.path()).filename().string();
+    all.box_serial = take.boxSerial();
     all.kind = take.header().take_kind;
     all.duration_s = static_cast<double>(in->sample_count) / rate_hz;
     all.began_s = secondsOfUtc(take.header().created_utc);

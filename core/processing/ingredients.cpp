@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/live/estimators.h"
+#include "core/suit/calibration_parts.h"
 
 namespace noctule {
 
@@ -28,7 +29,7 @@ std::string otherSerial(const Part& part, const Values* values) {
     return part.id + " (is " + part.serial + ", calibrated was " + values->serial + ")";
 }
 
-void warnOfOtherSerials(const Suit& suit, const Calibration& calibration,
+void warnOfOtherSerials(const Take& take, const Suit& suit, const Calibration& calibration,
                         std::vector<std::string>& warnings) {
     std::string others;
     const auto add = [&others](const std::string& other) {
@@ -41,6 +42,10 @@ void warnOfOtherSerials(const Suit& suit, const Calibration& calibration,
     if (!others.empty())
         warnings.push_back("The calibration is of other parts: " + others +
                            ". Its values are used all the same; calibrate these parts.");
+    else if (ownerOf(calibration, suit, take.boxSerial()) == CalibrationOwner::kAnotherSuit)
+        warnings.push_back("The calibration was made for another suit, box " + calibration.box_serial +
+                           "; the take is of " + take.boxSerial() +
+                           ". Its values are used all the same; give the calibration of this suit.");
 }
 
 /// A calibration of another suit is refused; boards it lacks get nominal values and a warning.
@@ -59,7 +64,7 @@ Status checkCalibration(const Take& take, const Suit& suit, const Calibration& c
                             "Give the calibration of this suit");
     if (!missing.empty())
         warnings.push_back("The calibration lacks " + missing + "; nominal values are used there.");
-    warnOfOtherSerials(suit, calibration, warnings);
+    warnOfOtherSerials(take, suit, calibration, warnings);
     return Done{};
 }
 

@@ -250,6 +250,11 @@ TakeLevel Take::level() const {
     return metaText(meta_, "level") == "readings" ? TakeLevel::kReadings : TakeLevel::kSignal;
 }
 
+std::string Take::boxSerial() const {
+    const std::string key = view_ == 1 ? "box_serial" : "x_box_serial_" + std::to_string(view_);
+    return metaText(meta_, key.c_str());
+}
+
 Result<int64_t> Take::sampleRate_hz() const {
     if (header_.sample_rate_hz == 0)
         return unusable("meta has no valid sample_rate_hz, without it nothing can be processed",

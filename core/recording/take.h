@@ -52,6 +52,8 @@ public:
     void view(int suit);
     int viewed() const { return view_; }
     TakeLevel level() const;
+    /// Of the driver box of the suit in view; empty: not stated.
+    std::string boxSerial() const;
     /// What a complete take would have and this one does not, in plain words.
     Result<std::vector<std::string>> missingParts() const;
     /// Of everything that was read so far.

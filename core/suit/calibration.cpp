@@ -213,9 +213,12 @@ nlohmann::json toJson(const Calibration& calibration) {
     nlohmann::json boards = nlohmann::json::array();
     for (const BoardCalibration& board : calibration.boards)
         boards.push_back(toJson(board));
-    return {
+    nlohmann::json members{
         {"format", "noctule-calibration"},    {"version", 1},       {"created_utc", calibration.created_utc},
         {"sound", toJson(calibration.sound)}, {"sources", sources}, {"boards", boards}};
+    if (!calibration.box_serial.empty())
+        members["box_serial"] = calibration.box_serial;
+    return members;
 }
 
 Result<Calibration> calibrationFromJson(const nlohmann::json& json, const std::string& where) {
@@ -225,6 +228,7 @@ Result<Calibration> calibrationFromJson(const nlohmann::json& json, const std::s
                         "Choose a file that was exported as a calibration");
     Calibration calibration;
     calibration.created_utc = object.textOr("created_utc", "");
+    calibration.box_serial = object.nameOr("box_serial", "");
     const nlohmann::json sound = object.objectOrEmpty("sound");
     calibration.sound = readSound(JsonObject(sound, where + ": sound", error));
     readEntries(object.array("sources", false), where + ": source", error, [&](JsonObject& entry) {

@@ -73,6 +73,7 @@ struct SoundModel {
 
 struct Calibration {
     std::string created_utc;
+    std::string box_serial;  ///< of the driver box it was made for; empty: not stated
     SoundModel sound;
     std::vector<SourceCalibration> sources;  ///< any order; look up by id
     std::vector<BoardCalibration> boards;

@@ -48,6 +48,16 @@ bool takeAxis(const char* task, AxisCalibration BoardCalibration::*axis, BoardCa
     return true;
 }
 
+struct KnownParts {
+    int same = 0, others = 0;
+
+    template <class Part, class Values>
+    void add(const Part& part, const Values* values) {
+        if (values && !values->serial.empty() && !part.serial.empty())
+            ++(values->serial == part.serial ? same : others);
+    }
+};
+
 }  // namespace
 
 Calibration withoutWearing(const Calibration& calibration) {
@@ -84,6 +94,28 @@ bool takeNewerParts(Calibration& base, const Calibration& other) {
     if (taken)
         base.created_utc = std::max(base.created_utc, other.created_utc);
     return taken;
+}
+
+bool namesItsSuit(const Calibration& calibration) {
+    const auto isNamed = [](const auto& part) { return !part.serial.empty(); };
+    return !calibration.box_serial.empty() || std::ranges::any_of(calibration.boards, isNamed) ||
+           std::ranges::any_of(calibration.sources, isNamed);
+}
+
+CalibrationOwner ownerOf(const Calibration& calibration, const Suit& suit, const std::string& box_serial) {
+    KnownParts parts;
+    for (const Board& board : suit.boards)
+        parts.add(board, calibration.findBoard(board.id));
+    for (const Source& source : suit.sources)
+        parts.add(source, calibration.findSource(source.id));
+    if (parts.same > 0)
+        return CalibrationOwner::kThisSuit;
+    if (parts.others > 0)
+        return CalibrationOwner::kAnotherSuit;
+    if (calibration.box_serial.empty() || box_serial.empty())
+        return CalibrationOwner::kUnknown;
+    return calibration.box_serial == box_serial ? CalibrationOwner::kThisSuit
+                                                : CalibrationOwner::kAnotherSuit;
 }
 
 }  // namespace noctule

@@ -7,11 +7,9 @@ namespace noctule {
 
 link::Hello helloOf(const Take& take, const Suit& suit, const std::string& otherwise) {
     const TakeHeader& header = take.header();
-    const int viewed = take.viewed();
-    const auto serial =
-        take.meta().find(viewed == 1 ? "box_serial" : "x_box_serial_" + std::to_string(viewed));
+    const std::string serial = take.boxSerial();
     link::Hello hello;
-    hello.serial = serial == take.meta().end() || serial->second.empty() ? otherwise : serial->second;
+    hello.serial = serial.empty() ? otherwise : serial;
     hello.sample_rate_hz = static_cast<int>(header.sample_rate_hz);
     hello.pulse_interval_samples = static_cast<int>(header.pulse_interval_samples);
     hello.pulse_cycles = static_cast<int>(std::lround(header.pulse_cycles));

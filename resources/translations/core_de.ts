@@ -5060,6 +5060,10 @@
         <translation>Die Kalibrierung gehört zu anderen Teilen: %1. Ihre Werte werden trotzdem verwendet; diese Teile kalibrieren.</translation>
     </message>
     <message>
+        <source>The calibration was made for another suit, box %1; the take is of %2. Its values are used all the same; give the calibration of this suit.</source>
+        <translation>Die Kalibrierung wurde für einen anderen Anzug gemacht, Box %1; die Aufnahme ist von %2. Ihre Werte werden trotzdem verwendet; die Kalibrierung dieses Anzugs angeben.</translation>
+    </message>
+    <message>
         <source>The calibration lacks %1; nominal values are used there.</source>
         <translation>In der Kalibrierung fehlt %1; dort werden Nennwerte verwendet.</translation>
     </message>

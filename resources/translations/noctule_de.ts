@@ -2569,6 +2569,27 @@
         <translation>Noch ist keine gesichert.</translation>
     </message>
     <message>
+        <source>made for an unknown suit</source>
+        <translation>für einen unbekannten Anzug gemacht</translation>
+    </message>
+    <message>
+        <source>%1 was made for another suit</source>
+        <translation>%1 wurde für einen anderen Anzug gemacht</translation>
+    </message>
+    <message>
+        <source>It belongs to %1; %2 is connected. Sensors and sources differ from suit to suit: with the values of others poses are wrong.</source>
+        <comment>serial numbers</comment>
+        <translation>Sie gehört zu %1; verbunden ist %2. Sensoren und Quellen unterscheiden sich von Anzug zu Anzug: mit den Werten anderer sind Posen falsch.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Use it all the same</source>
+        <translation>Trotzdem verwenden</translation>
+    </message>
+    <message>
         <source>The other values stay in use; their cards say how good they are.</source>
         <translation>Die übrigen Werte gelten weiter; ihre Karten sagen, wie gut sie sind.</translation>
     </message>
@@ -2703,6 +2724,11 @@
     <message>
         <source>The calibration %1 was made with other parts than those connected now: %2. Calibrate those before takes with them can be relied on.</source>
         <translation>Die Kalibrierung %1 entstand mit anderen Teilen als den jetzt verbundenen: %2. Erst wenn diese kalibriert sind, ist auf Aufnahmen mit ihnen Verlass.</translation>
+    </message>
+    <message>
+        <source>The calibration %1 was made for another suit, %2. Calibrate %3 before takes with it can be relied on.</source>
+        <comment>file, serial numbers</comment>
+        <translation>Die Kalibrierung %1 wurde für einen anderen Anzug gemacht, %2. Erst wenn %3 kalibriert ist, ist auf Aufnahmen damit Verlass.</translation>
     </message>
     <message>
         <source>%1: the calibration of its sensors and sources from an earlier session is in use (made %2).</source>

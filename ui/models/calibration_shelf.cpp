@@ -10,7 +10,6 @@
 #include "core/processing/outside_files.h"
 #include "core/session/body_measures.h"
 #include "core/session/placement.h"
-#include "core/suit/calibration_parts.h"
 #include "ui/language/core_words.h"
 
 namespace noctule::ui {
@@ -29,6 +28,30 @@ void addStrangers(const Parts& parts, const Calibrations& calibrations, QStringL
             if (calibrated.id == part.id && !calibrated.serial.empty() && !part.serial.empty() &&
                 calibrated.serial != part.serial)
                 strangers.append(QString::fromStdString(part.id));
+}
+
+/// The first serial number of the calibration that is not this one.
+QString nameOfOwner(const Calibration& calibration, const QString& other_than) {
+    QStringList serials{QString::fromStdString(calibration.box_serial)};
+    for (const BoardCalibration& board : calibration.boards)
+        serials.append(QString::fromStdString(board.serial));
+    for (const SourceCalibration& source : calibration.sources)
+        serials.append(QString::fromStdString(source.serial));
+    serials.removeAll({});
+    serials.removeAll(other_than);
+    return serials.value(0);
+}
+
+/// Of what the suit itself brought: box and parts can only be its own.
+void nameSuit(Calibration& calibration, const LiveSuit& suit) {
+    if (calibration.box_serial.empty())
+        calibration.box_serial = suit.serial().toStdString();
+    for (BoardCalibration& board : calibration.boards)
+        if (const int index = suit.suit().findBoard(board.id); index >= 0 && board.serial.empty())
+            board.serial = suit.suit().boards[static_cast<size_t>(index)].serial;
+    for (SourceCalibration& source : calibration.sources)
+        if (const int index = suit.suit().findSource(source.id); index >= 0 && source.serial.empty())
+            source.serial = suit.suit().sources[static_cast<size_t>(index)].serial;
 }
 
 }  // namespace
@@ -71,12 +94,8 @@ bool CalibrationShelf::isOwnFile() const {
     return session_.isOpen() && session_.session().suit_calibrations.contains(suit_.serial().toStdString());
 }
 
-bool CalibrationShelf::isOfThisSuit(const Calibration& calibration) const {
-    const auto& boards = suit_.suit().boards;
-    return !boards.empty() && std::ranges::all_of(boards, [&](const Board& board) {
-        const BoardCalibration* calibrated = calibration.findBoard(board.id);
-        return calibrated && !board.serial.empty() && calibrated->serial == board.serial;
-    });
+CalibrationOwner CalibrationShelf::ownerOf(const Calibration& calibration) const {
+    return noctule::ownerOf(calibration, suit_.suit(), suit_.serial().toStdString());
 }
 
 void CalibrationShelf::setBeside(bool beside) {
@@ -92,7 +111,8 @@ std::optional<Calibration> CalibrationShelf::inForce() const {
 /// Null: the session has none for this suit.
 const ShelvedCalibration* CalibrationShelf::chosenFile() const {
     const auto found = std::ranges::find(all_, fileInForce(), &ShelvedCalibration::file);
-    if (found == all_.end() || (is_beside_ && !isOwnFile() && !isOfThisSuit(found->calibration)))
+    if (found == all_.end() ||
+        (is_beside_ && !isOwnFile() && ownerOf(found->calibration) != CalibrationOwner::kThisSuit))
         return nullptr;
     return &*found;
 }
@@ -161,13 +181,14 @@ bool CalibrationShelf::isOfAnotherSuit(const ShelvedCalibration& shelved) const 
     for (const auto& [serial, file] : session_.session().suit_calibrations)
         if (serial != own && file == shelved.file.toStdString())
             return !own.empty();
-    // One board that was changed does not make another suit.
-    int same = 0, others = 0;
-    for (const Board& board : suit_.suit().boards)
-        if (const BoardCalibration* calibrated = shelved.calibration.findBoard(board.id);
-            calibrated && !calibrated->serial.empty() && !board.serial.empty())
-            ++(calibrated->serial == board.serial ? same : others);
-    return others > 0 && same == 0;
+    return ownerOf(shelved.calibration) == CalibrationOwner::kAnotherSuit;
+}
+
+QString CalibrationShelf::otherSuitOf(const QString& path) const {
+    const auto calibration = readCalibrationFile(path.toStdString());
+    if (!calibration || ownerOf(*calibration) != CalibrationOwner::kAnotherSuit)
+        return {};
+    return nameOfOwner(*calibration, suit_.serial());
 }
 
 /// A suit that brought its own calibration keeps it until the session has one; one that brought none gets
@@ -193,11 +214,21 @@ void CalibrationShelf::hand() {
     newer_ = found->calibration;
     if (const auto kept = memory_.latest(suit_.serial()); !kept || !takeNewerParts(*newer_, *kept))
         newer_.reset();
-    if (const QStringList others = strangers(found->calibration); !others.isEmpty())
+    warnOfStrangers(found->calibration);
+    suit_.setCalibration(found->calibration);
+}
+
+void CalibrationShelf::warnOfStrangers(const Calibration& calibration) {
+    if (const QStringList others = strangers(calibration); !others.isEmpty())
         emit warned(tr("The calibration %1 was made with other parts than those connected now: %2. Calibrate "
                        "those before takes with them can be relied on.")
                         .arg(in_force_, others.join(", ")));
-    suit_.setCalibration(found->calibration);
+    else if (ownerOf(calibration) == CalibrationOwner::kAnotherSuit)
+        emit warned(
+            tr("The calibration %1 was made for another suit, %2. Calibrate %3 before takes with it can be "
+               "relied on.",
+               "file, serial numbers")
+                .arg(in_force_, QString::fromStdString(calibration.box_serial), suit_.serial()));
 }
 
 void CalibrationShelf::recall() {
@@ -218,7 +249,7 @@ void CalibrationShelf::recall() {
 }
 
 void CalibrationShelf::remember(const Calibration& calibration) {
-    if (suit_.phase() == LiveSuit::Phase::kNone)
+    if (suit_.phase() == LiveSuit::Phase::kNone || ownerOf(calibration) == CalibrationOwner::kAnotherSuit)
         return;
     if (const Status kept = memory_.keep(suit_.serial(), calibration); !kept)
         emit warned(
@@ -263,9 +294,11 @@ QString CalibrationShelf::importFile(const QString& path) {
 }
 
 QString CalibrationShelf::exportFile(const QString& path) const {
-    const auto calibration = inForce();
+    auto calibration = inForce();
     if (!calibration)
         return tr("There is no calibration to export. Calibrate the suit first.");
+    if (!chosenFile())
+        nameSuit(*calibration, suit_);
     const Status written = writeFileAtomically(path.toStdString(), toJson(*calibration).dump(2) + "\n", true);
     return written ? QString() : coreWords(written.error()) + '.';
 }
@@ -282,9 +315,12 @@ QString CalibrationShelf::save(const CalibrationResult& result, const QString& t
     if (folder_.isEmpty())
         return tr("No session is open. Open one first.");
     const QString name = nextName(task);
-    if (const QString trouble = write(result.calibration, name + ".json"); !trouble.isEmpty())
+    Calibration calibration = result.calibration;
+    if (calibration.box_serial.empty())
+        calibration.box_serial = suit_.serial().toStdString();
+    if (const QString trouble = write(calibration, name + ".json"); !trouble.isEmpty())
         return trouble;
-    remember(result.calibration);
+    remember(calibration);
     // The calibration counts; its report can be made again.
     if (const Status report = writeFileAtomically(pathIn(folder_, name + ".html"),
                                                   coreMarkup(calibrationHtml(result.document)), true);

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/processing/calibrate_takes.h"
+#include "core/suit/calibration_parts.h"
 #include "ui/models/live_suit.h"
 #include "ui/models/session_model.h"
 #include "ui/models/suit_memory.h"
@@ -43,9 +44,11 @@ public:
     const std::optional<Calibration>& newer() const { return newer_; }
     /// Whose serial numbers are not those of the connected suit; empty: all fit, or nothing is connected.
     QStringList strangers(const Calibration& calibration) const;
-    /// Another suit's takes are made with it, or it knows other boards by the same names and none of the
-    /// connected suit's.
+    /// Another suit's takes are made with it, or its serial numbers are another suit's (ownerOf).
     bool isOfAnotherSuit(const ShelvedCalibration& shelved) const;
+    /// The same of a file that is to be imported: its box, else one of its parts. Empty: it may be
+    /// this suit's.
+    QString otherSuitOf(const QString& path) const;
 
     /// Writes "accelerometers-2026-11-22.json" and its report beside it and uses it. In words why not, else
     /// empty.
@@ -53,7 +56,7 @@ public:
     void use(const QString& file, const QString& what);
     /// Writes newer() into the session and uses it.
     QString useNewer();
-    /// Copies a calibration file into the session and uses it. In words why not, else empty.
+    /// Copies a calibration file into the session and uses it, whosever it is. In words why not, else empty.
     QString importFile(const QString& path);
     /// Writes the one in force. In words why not, else empty.
     QString exportFile(const QString& path) const;
@@ -83,7 +86,8 @@ private:
     void recall();
     bool isOwnFile() const;
     const ShelvedCalibration* chosenFile() const;
-    bool isOfThisSuit(const Calibration& calibration) const;
+    CalibrationOwner ownerOf(const Calibration& calibration) const;
+    void warnOfStrangers(const Calibration& calibration);
     QString write(const Calibration& calibration, const QString& name) const;
     QString folder() const;
 

@@ -57,8 +57,8 @@ public:
     Button* exportButton() { return export_; }
     /// Newer values of the suit that another session found; null: there are none.
     ProblemCard* newerCard() { return newer_card_; }
-    /// In words why not, else empty.
-    QString importFile(const QString& path);
+    /// Asks first where the file is another suit's, and says what came of it.
+    void importFile(const QString& path);
     /// Of the calibrations in the list, newest first; null for the one in force.
     const std::vector<Button*>& useButtons() const { return use_; }
 
@@ -82,6 +82,7 @@ private:
     void showOverview();
     QWidget* makeFiles();
     void chooseImport();
+    bool mayUseAnother(const QString& name, const QString& other);
     void chooseExport();
 
     Studio& studio_;

@@ -91,6 +91,26 @@ TEST(ProcessTinyTake, SaysWhenTheCalibrationIsOfAnotherBoard) {
     EXPECT_EQ(others(), 1);
 }
 
+TEST(ProcessTinyTake, SaysWhenTheCalibrationNamesAnotherBox) {
+    const Folder folder;
+    const std::string path = tinyTake(folder);
+    runSql(path, "INSERT OR REPLACE INTO meta VALUES('box_serial', 'NB-000001')");
+    ProcessRequest request = requestFor(path);
+    request.calibration = Take::open(path).value().calibrationInForce().value().value;
+    for (const char* box : {"", "NB-000001", "NB-000002"}) {
+        request.calibration->box_serial = box;
+        const auto summary = processTake(request, {});
+        ASSERT_TRUE(summary) << summary.error().text();
+        EXPECT_EQ(std::ranges::count_if(summary->warnings,
+                                        [](const std::string& warning) {
+                                            return warning.starts_with(
+                                                "The calibration was made for another suit, box NB-000002");
+                                        }),
+                  std::string(box) == "NB-000002" ? 1 : 0)
+            << box;
+    }
+}
+
 TEST(ProcessTinyTake, BothEstimatorsGivePosesNearTheReference) {
     const Folder folder;
     const std::string path = tinyTake(folder);

@@ -17,7 +17,7 @@ using Json = nlohmann::json;
 Json smallCalibration() {
     return Json::parse(
         R"({"format": "noctule-calibration", "version": 1, "created_utc": "2026-11-12T11:17:00Z",
-        "sound": {"model": "fixed", "c_m_per_s": 345.5, "scale": 1.001}, "x_lab": true,
+        "box_serial": "NB-000007", "sound": {"model": "fixed", "c_m_per_s": 345.5, "scale": 1.001}, "x_lab": true,
         "sources": [{"id": "hat", "offsets_s": {"start": 1.5e-5, "inflection": 1.3e-4},
                      "sigma_s": {"inflection": 2e-6}, "resonance_hz": 40450, "q": 31},
                     {"id": "navel"}],
@@ -37,6 +37,7 @@ TEST(Calibration, ReadsEveryMember) {
     const Result<Calibration> read = calibrationFromJson(smallCalibration(), "c.json");
     ASSERT_TRUE(read) << read.error().text();
     EXPECT_EQ(read->created_utc, "2026-11-12T11:17:00Z");
+    EXPECT_EQ(read->box_serial, "NB-000007");
     EXPECT_EQ(read->sound.kind, SoundModel::Kind::kFixed);
     EXPECT_EQ(read->sound.c_m_per_s, 345.5);
     EXPECT_EQ(read->sound.scale, 1.001);
@@ -115,6 +116,7 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"/sources/0/q", -1, ErrorKind::kUnusable, "'q'"},
         Damage{"/sources/1/id", "hat", ErrorKind::kUnusable, "twice"},
         Damage{"/boards/0/made/gyroscopes", 3, ErrorKind::kUnreadable, "made: gyroscopes"},
+        Damage{"/box_serial", 7, ErrorKind::kUnreadable, "box_serial"},
         Damage{"/sources/0/serial", 7, ErrorKind::kUnreadable, "serial"},
         Damage{"/boards/0/gyro", nullptr, ErrorKind::kUnreadable, "board 1 'hips': gyro"},
         Damage{"/boards/0/gyro/matrix/1/1", kNan, ErrorKind::kUnreadable, "matrix"},

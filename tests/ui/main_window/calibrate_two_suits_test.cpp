@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Step Calibrate with two suits, each a box that plays the tiny take over TCP.
+#include <QApplication>
+#include <QFile>
+#include <QLabel>
+#include <QMessageBox>
 #include <QSignalSpy>
+#include <QTimer>
 #include <QToolButton>
+#include <algorithm>
 
 #include "tests/devices/support/test_box.h"
 #include "tests/ui/main_window/studio_fixture.h"
@@ -106,6 +112,61 @@ TEST_F(CalibrateTwoSuits, NobodyIsOfferedWhatWasCalibratedOfTheOther) {
     ASSERT_EQ(studio_->calibrations().save(found, "gyroscopes"), "");
     EXPECT_EQ(studio_->calibrations().all().size(), 2u) << "both lie in one folder";
     EXPECT_EQ(page().useButtons().size(), 1u) << "not Bob's";
+}
+
+TEST_F(CalibrateTwoSuits, AFileOfTheOtherSuitIsTakenOnlyWhenTheOperatorSaysSo) {
+    CalibrationResult found;
+    found.calibration = nominalCalibration(studio_->suit().suit());
+    found.calibration.created_utc = "2026-03-01T10:00:00Z";
+    ASSERT_EQ(studio_->calibrations().save(found, "gyroscopes"), "");
+    const QString of_bob = home() + "-bob.json";
+    ASSERT_EQ(studio_->calibrations().exportFile(of_bob), "");
+    performer(0).click();
+    const auto importAndPress = [&](const QString& button) {
+        QString asked;
+        QTimer::singleShot(0, &page(), [&] {
+            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+            ASSERT_NE(box, nullptr);
+            asked = box->text() + ' ' + box->informativeText();
+            for (QAbstractButton* choice : box->buttons())
+                if (choice->text().remove('&') == button)
+                    choice->click();
+        });
+        page().importFile(of_bob);
+        return asked;
+    };
+    const QString asked = importAndPress("Cancel");
+    EXPECT_TRUE(asked.contains("-bob.json was made for another suit")) << asked.toStdString();
+    EXPECT_TRUE(asked.contains("It belongs to NB-000002; NB-000001 is connected")) << asked.toStdString();
+    EXPECT_EQ(studio_->calibrations().fileInForce(), "");
+    EXPECT_FALSE(importAndPress("Use it all the same").isEmpty());
+    EXPECT_TRUE(studio_->calibrations().fileInForce().contains("-bob"));
+}
+
+TEST_F(CalibrateTwoSuits, AFileThatNamesNoSuitIsOfferedWithThatWord) {
+    Calibration old = nominalCalibration(studio_->suit().suit());
+    old.created_utc = "2025-03-01T10:00:00Z";
+    const QString path = home() + "-old.json";
+    QFile file(path);
+    ASSERT_TRUE(file.open(QFile::WriteOnly));
+    file.write(QByteArray::fromStdString(toJson(old).dump()));
+    file.close();
+    page().importFile(path);
+    const auto says = [&] {
+        const auto labels = page().leftDock()->findChildren<QLabel*>();
+        return std::ranges::any_of(labels, [](const QLabel* label) {
+            return label->isVisibleTo(label->window()) && label->text() == "made for an unknown suit";
+        });
+    };
+    EXPECT_EQ(page().useButtons().size(), 1u);
+    EXPECT_TRUE(says());
+    CalibrationResult found;
+    found.calibration = old;
+    ASSERT_EQ(studio_->calibrations().save(found, "gyroscopes"), "");
+    ASSERT_EQ(page().useButtons().size(), 2u) << "offered all the same";
+    EXPECT_TRUE(says());
+    performer(0).click();
+    EXPECT_EQ(page().useButtons().size(), 1u) << "the one that names Bob's box is not";
 }
 
 }  // namespace

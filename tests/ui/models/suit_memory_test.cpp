@@ -178,5 +178,45 @@ TEST_F(SuitMemoryTest, FilesComeAndGo) {
     EXPECT_TRUE(studio_->calibrations().importFile(broken.fileName()).contains("broken.json"));
 }
 
+TEST_F(SuitMemoryTest, FilesOfAnotherSuitAreToldAndNotRememberedForThisOne) {
+    TestBox box({.loops = true});
+    openSession("first");
+    ASSERT_TRUE(connectTo(box));
+    Calibration unknown = calibratedOn("2026-01-01T10:00:00Z"), other = calibratedOn("2026-02-01T10:00:00Z");
+    EXPECT_EQ(studio_->calibrations().otherSuitOf(fileOf(unknown)), "") << "of an older program";
+    ASSERT_EQ(studio_->calibrations().importFile(fileOf(unknown)), "");
+    const QString file_of_unknown = studio_->calibrations().fileInForce();
+    other.box_serial = "NB-000001";
+    EXPECT_EQ(studio_->calibrations().otherSuitOf(fileOf(other)), "NB-000001");
+    QSignalSpy warned(&studio_->calibrations(), &CalibrationShelf::warned);
+    ASSERT_EQ(studio_->calibrations().importFile(fileOf(other)), "") << "the operator has decided";
+    EXPECT_EQ(studio_->calibrations().inForce()->box_serial, "NB-000001");
+    ASSERT_EQ(warned.count(), 1);
+    EXPECT_TRUE(warned[0][0].toString().contains("was made for another suit, NB-000001"))
+        << warned[0][0].toString().toStdString();
+    const auto kept = SuitMemory(folder_.filePath("suits")).latest("NB-000777");
+    ASSERT_TRUE(kept);
+    EXPECT_EQ(kept->created_utc, unknown.created_utc);
+
+    studio_->calibrations().use(file_of_unknown, "back");
+    ASSERT_EQ(studio_->calibrations().all().size(), 2u);
+    for (const ShelvedCalibration& shelved : studio_->calibrations().all())
+        EXPECT_EQ(studio_->calibrations().isOfAnotherSuit(shelved), shelved.file != file_of_unknown);
+}
+
+TEST_F(SuitMemoryTest, WhatIsSavedOrExportedNamesItsBox) {
+    TestBox box({.loops = true});
+    openSession("first");
+    ASSERT_TRUE(connectTo(box));
+    studio_->suit().setCalibration(calibratedOn("2026-02-01T10:00:00Z"));
+    const QString out = folder_.filePath("out.json");
+    ASSERT_EQ(studio_->calibrations().exportFile(out), "");
+    EXPECT_EQ(readCalibrationFile(out.toStdString())->box_serial, "NB-000777");
+    CalibrationResult found;
+    found.calibration = calibratedOn("2026-03-01T10:00:00Z");
+    ASSERT_EQ(studio_->calibrations().save(found, "gyroscopes"), "");
+    EXPECT_EQ(studio_->calibrations().inForce()->box_serial, "NB-000777");
+}
+
 }  // namespace
 }  // namespace noctule::ui

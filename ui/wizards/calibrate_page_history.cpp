@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+// The left dock of step Calibrate: the calibrations of the session, and files that come and go.
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "ui/style/words.h"
+#include "ui/views/scaled_layout.h"
+#include "ui/widgets/button.h"
+#include "ui/widgets/card.h"
+#include "ui/widgets/label.h"
+#include "ui/widgets/problem_card.h"
+#include "ui/widgets/scroll_area.h"
+#include "ui/widgets/section_header.h"
+#include "ui/wizards/calibrate_page.h"
+#include "ui/wizards/compare_dialog.h"
+
+namespace noctule::ui {
+
+QWidget* CalibratePage::makeHistory() {
+    auto* content = new QWidget;
+    auto* column = makeColumn(content, {12, 16, 12, 12}, 8);
+    auto* newer = new QWidget;
+    newer_ = makeColumn(newer);
+    column->addWidget(newer);
+    column->addWidget(new SectionHeader(tr("Of this session, newest first")));
+    auto* history = new QWidget;
+    history_ = makeColumn(history, {}, 8);
+    column->addWidget(history);
+    column->addWidget(makeFiles());
+    column->addStretch();
+    return new ScrollArea(content);
+}
+
+QWidget* CalibratePage::makeFiles() {
+    auto* files = new QWidget;
+    auto* row = makeRow(files, {}, 8);
+    import_ = makeButton(ButtonKind::kOutlined, tr("Import"), "open");
+    import_->setToolTip(tr("Use a calibration file of this suit"));
+    export_ = makeButton(ButtonKind::kOutlined, tr("Export"), "export");
+    row->addWidget(import_);
+    row->addWidget(export_);
+    row->addStretch();
+    connect(import_, &QPushButton::clicked, this, &CalibratePage::chooseImport);
+    connect(export_, &QPushButton::clicked, this, &CalibratePage::chooseExport);
+    return files;
+}
+
+void CalibratePage::chooseImport() {
+    const QString path =
+        QFileDialog::getOpenFileName(this, tr("Import a calibration"), {}, tr("Calibrations (*.json)"));
+    if (path.isEmpty())
+        return;
+    importFile(path);
+}
+
+void CalibratePage::importFile(const QString& path) {
+    const QString name = QFileInfo(path).fileName(), other = studio_.calibrations().otherSuitOf(path);
+    if (!other.isEmpty() && !mayUseAnother(name, other))
+        return;
+    if (const QString why = studio_.calibrations().importFile(path); !why.isEmpty())
+        emit studio_.failed(tr("%1 was not imported").arg(name), why, About::kFile);
+    else
+        studio_.sayOfFile(
+            tr("%1 is in use; undo with %2.", "file, key").arg(name, keysText(QKeySequence("Ctrl+Z"))));
+}
+
+/// Serial numbers may be wrong or the boards have moved: the operator decides.
+bool CalibratePage::mayUseAnother(const QString& name, const QString& other) {
+    QMessageBox box(window());
+    box.setWindowTitle(tr("Import a calibration"));
+    box.setText(tr("%1 was made for another suit").arg(name));
+    box.setInformativeText(
+        tr("It belongs to %1; %2 is connected. Sensors and sources differ from suit to suit: with the values "
+           "of others poses are wrong.",
+           "serial numbers")
+            .arg(other, studio_.suit().serial()));
+    QPushButton* cancel = box.addButton(tr("Cancel"), QMessageBox::RejectRole);
+    QPushButton* use = box.addButton(tr("Use it all the same"), QMessageBox::AcceptRole);
+    box.setDefaultButton(cancel);
+    box.setEscapeButton(cancel);
+    box.exec();
+    return box.clickedButton() == use;
+}
+
+void CalibratePage::chooseExport() {
+    const QString name = studio_.calibrations().fileInForce();
+    const QString path = QFileDialog::getSaveFileName(
+        this, tr("Export the calibration in use"), name.isEmpty() ? QStringLiteral("calibration.json") : name,
+        tr("Calibrations (*.json)"));
+    if (path.isEmpty())
+        return;
+    if (const QString why = studio_.calibrations().exportFile(path); !why.isEmpty())
+        emit studio_.failed(tr("The calibration was not exported"), why, About::kFile);
+    else
+        studio_.sayOfFile(tr("%1 is written.").arg(QFileInfo(path).fileName()));
+}
+
+void CalibratePage::showNewer() {
+    const auto& newer = studio_.calibrations().newer();
+    delete std::exchange(newer_card_, nullptr);
+    if (!newer)
+        return;
+    const QDateTime made = QDateTime::fromString(QString::fromStdString(newer->created_utc), Qt::ISODate);
+    newer_card_ = new ProblemCard(
+        Tone::kWarn, tr("Newer values of this suit are there"),
+        tr("Another session calibrated its sensors or sources, %1. The rest pose of this session stays.")
+            .arg(dateInside(made)));
+    connect(
+        newer_card_->addAction(tr("Use them")), &QPushButton::clicked, this,
+        [this] {
+            if (const QString why = studio_.calibrations().useNewer(); !why.isEmpty())
+                emit studio_.failed(tr("The newer values are not in use"), why, About::kFile);
+            else
+                emit studio_.settled(About::kFile);
+        },
+        Qt::QueuedConnection);
+    newer_->addWidget(newer_card_);
+}
+
+void CalibratePage::showHistory() {
+    // The button that was pressed may be one of them.
+    while (QLayoutItem* item = history_->takeAt(0)) {
+        item->widget()->hide();
+        item->widget()->deleteLater();
+        delete item;
+    }
+    use_.clear();
+    const CalibrationShelf& shelf = studio_.calibrations();
+    for (const ShelvedCalibration& one : shelf.all()) {
+        if (shelf.isOfAnotherSuit(one))
+            continue;
+        auto* card = new Card;
+        const bool in_force = one.file == shelf.fileInForce();
+        card->setSelected(in_force);
+        auto* column = makeColumn(card, {12, 8, 12, 8}, 2);
+        column->addWidget(new Label(one.file.section('.', 0, 0), TextRole::kBody, Ink::kValue));
+        column->addWidget(new Label(in_force ? tr("%1, in use").arg(dateText(one.made().toLocalTime()))
+                                             : dateText(one.made().toLocalTime()),
+                                    TextRole::kSecondary, Ink::kHint));
+        if (!namesItsSuit(one.calibration))
+            column->addWidget(
+                (new Label(tr("made for an unknown suit"), TextRole::kSecondary, Ink::kHint))->wrapped());
+        Button* use = nullptr;
+        if (!in_force) {
+            use = makeButton(ButtonKind::kText, tr("Go back to this one"));
+            connect(use, &QPushButton::clicked, this, [this, file = one.file] {
+                studio_.calibrations().use(file, tr("Going back to %1").arg(file.section('.', 0, 0)));
+            });
+            auto* compare = makeButton(ButtonKind::kText, tr("Compare"));
+            compare->setToolTip(tr("What differs from the calibration in use"));
+            connect(compare, &QPushButton::clicked, this,
+                    [this, one] { CompareDialog(studio_, one, window()).exec(); });
+            auto* row = addRow(column);
+            row->addWidget(use);
+            row->addWidget(compare);
+            row->addStretch();
+        }
+        use_.push_back(use);
+        history_->addWidget(card);
+    }
+    if (use_.empty())
+        history_->addWidget(
+            (new Label(
+                 shelf.remembered()
+                     ? tr("None yet. The suit's own values from an earlier session are in use; the rest "
+                          "pose belongs to each wearing.")
+                     : tr("None has been saved yet."),
+                 TextRole::kSecondary, Ink::kHint))
+                ->wrapped());
+}
+
+}  // namespace noctule::ui
