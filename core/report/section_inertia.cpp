@@ -73,8 +73,8 @@ std::string provenanceSection(const ReportData& data) {
               take.reference_kind + (take.reference_name.empty() ? "" : ", ") + take.reference_name},
              {"Written by", take.software}});
     for (const ReportRun& run : data.runs) {
-        NamedValues entries = {{"Sensors", sensorsLabel(run.sensors)},
-                               {"Estimator", run.estimator},
+        NamedValues entries = {{"Sensors", sensorsInWords(run.sensors)},
+                               {"Estimator", estimatorInWords(run.estimator)},
                                {"Smoothing", run.smoother},
                                {"Root", run.root_given ? "given" : "free"},
                                {"Calibration", run.calibration},

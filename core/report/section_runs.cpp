@@ -27,7 +27,7 @@ std::vector<const ReportRun*> inPaperOrder(const std::vector<ReportRun>& runs) {
 
 html::Row ownRow(const ReportRun& run, bool shown) {
     html::Row row{{text::escaped(sensorsLabel(run.sensors)), text::escaped(run.name),
-                   text::escaped(run.estimator + (run.root_given ? ", root given" : ""))},
+                   text::escaped(estimatorInWords(run.estimator) + (run.root_given ? ", root given" : ""))},
                   shown ? "shown" : ""};
     for (const char* name : kPaperJoints) {
         const JointComparison* joint = run.comparison->find(name);
@@ -152,7 +152,8 @@ std::string runsSection(const ReportData& data) {
         body = html::nothing(
             "No run of this take has been compared: it has no reference, or was not processed yet.");
     } else {
-        body = table1(runs, data.shownRun()) +
+        body = html::note("A stands for accelerometers, G for gyroscopes and D for distances.") +
+               table1(runs, data.shownRun()) +
                html::note(
                    "The paper's rows are its Table 1: another motion, performer and suit, 30 s against an "
                    "optical system. They are a scale to read ours by and no contest. Its neck is our "

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <map>
 
 #include "core/body/text.h"
 #include "core/job/limits.h"
@@ -41,25 +40,6 @@ std::string cards(const ReportData& data, const ReportRun* run) {
            card(residual_m ? text::number(1000 * *residual_m, 1) + " mm" : "–",
                 "range residual, median of the ranges used") +
            "</div>\n";
-}
-
-/// For readers who know neither letters nor names of settings.
-std::string sensorsInWords(const std::string& sensors) {
-    static const std::map<std::string, std::string> kWords{
-        {"AGD", "accelerometers, gyroscopes and distances"},
-        {"AG", "accelerometers and gyroscopes"},
-        {"AD", "accelerometers and distances"},
-        {"GD", "gyroscopes and distances"},
-        {"A", "accelerometers alone"},
-        {"G", "gyroscopes alone"},
-        {"D", "distances alone"}};
-    const auto found = kWords.find(sensors);
-    return found == kWords.end() ? sensorsLabel(sensors) : found->second;
-}
-
-/// As the studio's choice of filters names them.
-std::string estimatorInWords(const std::string& estimator) {
-    return estimator == "manifold" ? "Noctule" : estimator == "paper" ? "Vlasic 2007" : estimator;
 }
 
 std::string explanation(const ReportData& data, const ReportRun* run) {
@@ -103,13 +83,6 @@ std::string pairLabel(const ReportData& data, const ReportPair& pair) {
     return text::capitalised(sourceLabel(data, pair.source) + ", heard by " + boardLabel(data, pair.board));
 }
 
-std::string sensorsLabel(const std::string& sensors) {
-    std::string label;
-    for (const char sensor : sensors)
-        label += (label.empty() ? "" : "+") + std::string(1, sensor);
-    return label.empty() ? "none" : label;
-}
-
 Interval takeInterval(const ReportData& data) {
     return {data.take.begin_s, data.take.begin_s + std::max(data.take.duration_s, 1e-3)};
 }
@@ -119,7 +92,7 @@ std::string summarySection(const ReportData& data) {
     const ReportRun* run = data.shownRun();
     std::string out = "<section id=\"summary\" aria-labelledby=\"verdict\">" +
                       html::verdict(verdict.grade, verdict.headline, explanation(data, run)) +
-                      cards(data, run) + html::problems(verdict.reasons);
+                      cards(data, run) + html::problems(verdict.reasons) + wordsOfReport();
     return out + "</section>\n";
 }
 

@@ -27,6 +27,12 @@ std::string boardLabel(const ReportData& data, int board);
 std::string pairLabel(const ReportData& data, const ReportPair& pair);
 /// "A+G+D" of "AGD".
 std::string sensorsLabel(const std::string& sensors);
+/// For readers who know neither letters nor names of settings.
+std::string sensorsInWords(const std::string& sensors);
+/// As the studio's choice of filters names them.
+std::string estimatorInWords(const std::string& estimator);
+/// What the technical words mean, folded.
+std::string wordsOfReport();
 /// First to last second of the take, for all plots of one report.
 Interval takeInterval(const ReportData& data);
 

@@ -5060,16 +5060,16 @@
         <translation>Die Kalibrierung gehört zu anderen Teilen: %1. Ihre Werte werden trotzdem verwendet; diese Teile kalibrieren.</translation>
     </message>
     <message>
-        <source>The calibration was made for another suit, box %1; the take is of %2. Its values are used all the same; give the calibration of this suit.</source>
-        <translation>Die Kalibrierung wurde für einen anderen Anzug gemacht, Box %1; die Aufnahme ist von %2. Ihre Werte werden trotzdem verwendet; die Kalibrierung dieses Anzugs angeben.</translation>
-    </message>
-    <message>
         <source>The calibration lacks %1; nominal values are used there.</source>
         <translation>In der Kalibrierung fehlt %1; dort werden Nennwerte verwendet.</translation>
     </message>
     <message>
         <source>The calibration lacks the shape of pulses; it was learnt from this take's sound for</source>
         <translation>Der Kalibrierung fehlt die Form der Pulse; sie wurde aus dem Ton dieser Aufnahme gelernt für</translation>
+    </message>
+    <message>
+        <source>The calibration was made for another suit, box %1; the take is of %2. Its values are used all the same; give the calibration of this suit.</source>
+        <translation>Die Kalibrierung wurde für einen anderen Anzug gemacht, Box %1; die Aufnahme ist von %2. Ihre Werte werden trotzdem verwendet; die Kalibrierung dieses Anzugs angeben.</translation>
     </message>
     <message>
         <source>The clock of suit %1 cannot be found from the sound: it and the others do not hear each other well enough. Distances to it are not used.</source>
@@ -6393,6 +6393,10 @@
         <translation>Ein Gelenk ist in einem Bild von Entfernungen gestützt, wenn einen Augenblick zuvor eine verwendete Entfernung über ihm lag. Sonst läuft es mit der Trägheit seiner Platinen weiter und ohne diese mit dem Modell. Die Ruhehaltung am Anfang zählt nicht.</translation>
     </message>
     <message>
+        <source>A stands for accelerometers, G for gyroscopes and D for distances.</source>
+        <translation>A steht für Beschleunigungssensoren, G für Gyroskope und D für Abstände.</translation>
+    </message>
+    <message>
         <source>A third of the ranges miss the pose by more than %1: a board or a source sits elsewhere than its calibration says, or the source offsets are another box's.</source>
         <translation>Ein Drittel der Entfernungen verfehlt die Pose um mehr als %1: Eine Platine oder Quelle sitzt anders, als ihre Kalibrierung sagt, oder die Quellenversätze gehören zu einer anderen Box.</translation>
     </message>
@@ -6401,12 +6405,20 @@
         <translation>AGD</translation>
     </message>
     <message>
+        <source>Acceleration and rate of turning, as the boards measure them</source>
+        <translation>Beschleunigung und Drehrate, wie die Platinen sie messen</translation>
+    </message>
+    <message>
         <source>Accelerometers</source>
         <translation>Beschleunigungssensoren</translation>
     </message>
     <message>
         <source>Accelerometers of %1 boards</source>
         <translation>Beschleunigungssensoren von %1 Platinen</translation>
+    </message>
+    <message>
+        <source>Accelerometers, gyroscopes and distances; A+G+D means all three</source>
+        <translation>Beschleunigungssensoren, Gyroskope und Abstände; A+G+D heißt alle drei</translation>
     </message>
     <message>
         <source>Actor</source>
@@ -6435,6 +6447,10 @@
     <message>
         <source>Anchors</source>
         <translation>Anker</translation>
+    </message>
+    <message>
+        <source>Angle between the estimated and the reference orientation of a joint</source>
+        <translation>Winkel zwischen der geschätzten Ausrichtung eines Gelenks und der der Referenz</translation>
     </message>
     <message>
         <source>Angle between the estimated and the reference orientation over time</source>
@@ -6481,6 +6497,10 @@
         <translation>Knochen</translation>
     </message>
     <message>
+        <source>By how much a measured distance differs from that in the estimated pose</source>
+        <translation>Um wie viel ein gemessener Abstand von dem in der geschätzten Pose abweicht</translation>
+    </message>
+    <message>
         <source>By source</source>
         <translation>Nach Quelle</translation>
     </message>
@@ -6491,6 +6511,10 @@
     <message>
         <source>Cannot be checked: %1</source>
         <translation>Keine Kontrolle möglich: %1</translation>
+    </message>
+    <message>
+        <source>Cardan angles</source>
+        <translation>Kardanwinkel</translation>
     </message>
     <message>
         <source>Change: standard deviation of the field's strength over the directions, in percent of its mean.</source>
@@ -6525,6 +6549,10 @@
         <translation>Es folgen Kurven von Kopf, rechter Schulter, linker Hüfte und den drei Gelenken mit dem größten Fehler; die aller anderen sind darunter nach Körperteilen eingeklappt. Schätzungen sind durchgezogen, die Referenz ist gestrichelt; eine Kurve bricht ab, wo sie 180° überschreitet.</translation>
     </message>
     <message>
+        <source>Determined by measurements and not by the model of the body alone</source>
+        <translation>Durch Messungen bestimmt und nicht allein durch das Modell des Körpers</translation>
+    </message>
+    <message>
         <source>Deviation</source>
         <translation>Abwei­chung</translation>
     </message>
@@ -6537,6 +6565,10 @@
         <translation>Unterschied zur Referenz über die Zeit</translation>
     </message>
     <message>
+        <source>Distance from a source to a board, found from the time that a pulse takes</source>
+        <translation>Abstand von einer Quelle zu einer Platine, aus der Zeit bestimmt, die ein Puls braucht</translation>
+    </message>
+    <message>
         <source>Distances between anchors</source>
         <translation>Abstände zwischen Ankern</translation>
     </message>
@@ -6547,6 +6579,10 @@
     <message>
         <source>Drawn are the last %1 of %2 runs.</source>
         <translation>Gezeichnet sind die letzten %1 von %2 Ergebnissen.</translation>
+    </message>
+    <message>
+        <source>Drift</source>
+        <translation>Drift</translation>
     </message>
     <message>
         <source>Drift °/min</source>
@@ -6573,6 +6609,10 @@
         <translation>Fehler der Drehrate bei jeder Drehung und Ruhe</translation>
     </message>
     <message>
+        <source>Error that grows with time</source>
+        <translation>Fehler, der mit der Zeit wächst</translation>
+    </message>
+    <message>
         <source>Errors of distances that took no part</source>
         <translation>Fehler der Entfernungen, die nicht beteiligt waren</translation>
     </message>
@@ -6591,6 +6631,10 @@
     <message>
         <source>Every joint was backed by ranges in at least 90 % of the frames.</source>
         <translation>Jedes Gelenk wurde in mindestens 90 % der Bilder von Entfernungen gestützt.</translation>
+    </message>
+    <message>
+        <source>Extended Kalman filter</source>
+        <translation>Erweitertes Kalman-Filter</translation>
     </message>
     <message>
         <source>Factor on the length that the performer's measures give.</source>
@@ -6633,6 +6677,10 @@
         <translation>Gyroskope von %1 Platinen; der Drehteller lief mit %2 U/min%3</translation>
     </message>
     <message>
+        <source>Half of the values lie below it</source>
+        <translation>Die Hälfte der Werte liegt darunter</translation>
+    </message>
+    <message>
         <source>Hand</source>
         <translation>Hand</translation>
     </message>
@@ -6673,6 +6721,10 @@
         <translation>Wie jede auf ihrem Glied sitzt. Eine Drehung, die keine Bewegung zeigt, behält das Sigma, das die Ruhehaltung ihr lässt: bei Händen, Füßen und Kopf und bei einem Glied um den eigenen Knochen.</translation>
     </message>
     <message>
+        <source>How far a range is trusted, from 0 to 1</source>
+        <translation>Wie weit einer Entfernung getraut wird, von 0 bis 1</translation>
+    </message>
+    <message>
         <source>How far each board could trust what it heard of each source: strength, continuity and angle, multiplied. Pulses that were not heard count as 0. Dots are single pulses, curves their mean over a second.</source>
         <translation>Wie weit jede Platine dem trauen konnte, was sie von jeder Quelle hörte: Stärke, Stetigkeit und Winkel, multipliziert. Nicht gehörte Pulse zählen als 0. Punkte sind einzelne Pulse, Kurven ihr Mittel über eine Sekunde.</translation>
     </message>
@@ -6693,6 +6745,10 @@
         <translation>Wie weit die Werte auseinanderliegen.</translation>
     </message>
     <message>
+        <source>How far values usually lie from their mean</source>
+        <translation>Wie weit Werte gewöhnlich von ihrem Mittel entfernt sind</translation>
+    </message>
+    <message>
         <source>How much later the other one takes each for; 1 µs is a third of a millimetre.</source>
         <translation>Wie viel später die andere jede ansetzt; 1 µs ist ein drittel Millimeter.</translation>
     </message>
@@ -6703,6 +6759,10 @@
     <message>
         <source>How the performer stood, against the rest pose asked for.</source>
         <translation>Wie der Darsteller stand, verglichen mit der verlangten Ruhehaltung.</translation>
+    </message>
+    <message>
+        <source>ISB</source>
+        <translation>ISB</translation>
     </message>
     <message>
         <source>Identity</source>
@@ -6721,8 +6781,16 @@
         <translation>Trägheitsdaten je Platine</translation>
     </message>
     <message>
+        <source>International Society of Biomechanics, which names the angles of joints</source>
+        <translation>International Society of Biomechanics, die Gesellschaft für Biomechanik, nach der die Gelenkwinkel benannt sind</translation>
+    </message>
+    <message>
         <source>Joint</source>
         <translation>Gelenk</translation>
+    </message>
+    <message>
+        <source>Joint error</source>
+        <translation>Gelenkfehler</translation>
     </message>
     <message>
         <source>Joints</source>
@@ -6845,6 +6913,10 @@
         <translation>Median</translation>
     </message>
     <message>
+        <source>Method that predicts the pose and corrects it with each measurement, weighted by how uncertain both are</source>
+        <translation>Verfahren, das die Pose vorhersagt und mit jeder Messung berichtigt, gewichtet danach, wie unsicher beide sind</translation>
+    </message>
+    <message>
         <source>Missing</source>
         <translation>Fehlend</translation>
     </message>
@@ -6913,12 +6985,20 @@
         <translation>Nichts hat gemessen, wie die Darsteller zueinander stehen: Es wurden keine Entfernungen zwischen ihnen oder zu einem Raum verwendet. Ihr Abstand ist geraten.</translation>
     </message>
     <message>
+        <source>Observable</source>
+        <translation>Beobachtbar</translation>
+    </message>
+    <message>
         <source>Offsets</source>
         <translation>Versätze</translation>
     </message>
     <message>
         <source>Offsets of %1 sources;</source>
         <translation>Versätze von %1 Quellen;</translation>
+    </message>
+    <message>
+        <source>One processing of the take with its own settings</source>
+        <translation>Eine Auswertung der Aufnahme mit eigenen Einstellungen</translation>
     </message>
     <message>
         <source>One row per board; gaps are pale</source>
@@ -6985,6 +7065,10 @@
         <translation>RMS</translation>
     </message>
     <message>
+        <source>Range</source>
+        <translation>Entfernung</translation>
+    </message>
+    <message>
         <source>Ranges</source>
         <translation>Entfernungen</translation>
     </message>
@@ -7011,6 +7095,10 @@
     <message>
         <source>Rejected</source>
         <translation>Ver­worfen</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Restfehler</translation>
     </message>
     <message>
         <source>Residual mm</source>
@@ -7049,6 +7137,10 @@
         <translation>Wurzel</translation>
     </message>
     <message>
+        <source>Root mean square (RMS)</source>
+        <translation>Quadratisches Mittel (RMS)</translation>
+    </message>
+    <message>
         <source>Run</source>
         <translation>Ergebnis</translation>
     </message>
@@ -7069,8 +7161,16 @@
         <translation>Abtastrate</translation>
     </message>
     <message>
+        <source>Sensor unit on a limb, with accelerometer, gyroscope and microphone</source>
+        <translation>Messeinheit an einem Glied, mit Beschleunigungssensor, Gyroskop und Mikrofon</translation>
+    </message>
+    <message>
         <source>Sensors</source>
         <translation>Sensoren</translation>
+    </message>
+    <message>
+        <source>Sensors A, G and D</source>
+        <translation>Sensoren A, G und D</translation>
     </message>
     <message>
         <source>Sensors and runs</source>
@@ -7105,6 +7205,10 @@
         <translation>Sigma gilt gegen die anderen Anker, entlang der schlechtesten Achse.</translation>
     </message>
     <message>
+        <source>Small ultrasonic loudspeaker on the body that sends short pulses</source>
+        <translation>Kleiner Ultraschall-Lautsprecher am Körper, der kurze Pulse sendet</translation>
+    </message>
+    <message>
         <source>Software</source>
         <translation>Software</translation>
     </message>
@@ -7131,6 +7235,14 @@
     <message>
         <source>Spine</source>
         <translation>Wirbelsäule</translation>
+    </message>
+    <message>
+        <source>Squared errors over what the filter expects of them: 1 is honest, more is too sure</source>
+        <translation>Quadrierte Fehler im Verhältnis zu dem, was das Filter von ihnen erwartet: 1 ist ehrlich, mehr ist zu sicher</translation>
+    </message>
+    <message>
+        <source>Standard deviation (SD)</source>
+        <translation>Standardabweichung (SD)</translation>
     </message>
     <message>
         <source>Standard deviations are those that the recording itself implies.</source>
@@ -7181,12 +7293,20 @@
         <translation>Das Filter verwarf %1 der Entfernungen, die es prüfte: ein falscher Quellenversatz, eine verrutschte Platine oder eine verlorene Pose.</translation>
     </message>
     <message>
+        <source>The method that makes poses of readings and ranges: Noctule (manifold) is this program's own, Vlasic 2007 (paper) is that of a publication</source>
+        <translation>Das Verfahren, das aus Messwerten und Abständen Posen macht: Noctule (manifold) ist das eigene dieses Programms, Vlasic 2007 (paper) das einer Veröffentlichung</translation>
+    </message>
+    <message>
         <source>The origin is where %1 stood in the rest pose, facing +z; level to %2°, floor to %3 mm</source>
         <translation>Der Ursprung ist, wo %1 in der Ruhehaltung stand, mit Blick nach +z; waagerecht auf %2°, Boden auf %3 mm</translation>
     </message>
     <message>
         <source>The paper's rows are its Table 1: another motion, performer and suit, 30 s against an optical system. They are a scale to read ours by and no contest. Its neck is our head joint.</source>
         <translation>Die Zeilen der Arbeit sind ihre Tabelle 1: andere Bewegung, anderer Darsteller und Anzug, 30 s gegen ein optisches System. Sie sind ein Maßstab, um unsere zu lesen, und kein Wettstreit. Ihr Hals ist unser Kopfgelenk.</translation>
+    </message>
+    <message>
+        <source>The pelvis, which carries the body: free is estimated, given is measured by another system</source>
+        <translation>Das Becken, das den Körper trägt: frei heißt geschätzt, gegeben heißt von einem anderen System gemessen</translation>
     </message>
     <message>
         <source>The reference has errors of its own, which are contained in every error of this report.</source>
@@ -7199,6 +7319,10 @@
     <message>
         <source>The root came from another system; this report says nothing about how well the suit alone would know it.</source>
         <translation>Die Wurzel kam von einem anderen System; dieser Bericht sagt nichts darüber, wie gut der Anzug allein sie kennen würde.</translation>
+    </message>
+    <message>
+        <source>The same motion as another system or a simulation knows it</source>
+        <translation>Dieselbe Bewegung, wie ein anderes System oder eine Simulation sie kennt</translation>
     </message>
     <message>
         <source>The shown run used no gyroscopes: rotation between two ranges or readings is a guess of the model.</source>
@@ -7223,6 +7347,10 @@
     <message>
         <source>The take holds no ranges.</source>
         <translation>Die Aufnahme enthält keine Entfernungen.</translation>
+    </message>
+    <message>
+        <source>Three turns about axes, one after the other, that make up a rotation</source>
+        <translation>Drei Drehungen um Achsen nacheinander, die zusammen eine Rotation ergeben</translation>
     </message>
     <message>
         <source>Tilt</source>
@@ -7261,6 +7389,10 @@
         <translation>Ver­wendet</translation>
     </message>
     <message>
+        <source>Usual size of an error, large ones counting more</source>
+        <translation>Übliche Größe eines Fehlers, wobei große mehr zählen</translation>
+    </message>
+    <message>
         <source>Vlasic 2007</source>
         <translation>Vlasic 2007</translation>
     </message>
@@ -7289,6 +7421,10 @@
         <translation>Wo jede auf ihrem Glied sitzt und um wie viel ihre Entfernungen zu lang sind.</translation>
     </message>
     <message>
+        <source>Whether a pose also uses later readings: none, lag (half a second), full (the whole take) or batch (the whole take, solved anew)</source>
+        <translation>Ob eine Pose auch spätere Messwerte nutzt: keine, Nachlauf (lag, eine halbe Sekunde), voll (full, die ganze Aufnahme) oder batch (die ganze Aufnahme, neu gelöst)</translation>
+    </message>
+    <message>
         <source>Without a reference the drift is not known.</source>
         <translation>Ohne Referenz ist die Drift nicht bekannt.</translation>
     </message>
@@ -7303,6 +7439,10 @@
     <message>
         <source>Without ranges a joint follows its gyroscope, which drifts by 1 to 3° a minute.</source>
         <translation>Ohne Entfernungen folgt ein Gelenk seinem Gyroskop, das 1 bis 3° je Minute driftet.</translation>
+    </message>
+    <message>
+        <source>Words of this report</source>
+        <translation>Wörter dieses Berichts</translation>
     </message>
     <message>
         <source>Written by</source>

@@ -131,6 +131,21 @@ TEST(HtmlReport, NamesSensorsAndFilterInWords) {
                     "sensors accelerometers, gyroscopes and distances, estimator Noctule"));
 }
 
+/// Nobody meets a word of the field before it is explained: the list stands in the first part.
+TEST(HtmlReport, ExplainsItsWordsBeforeTheTablesUseThem) {
+    const std::string page = htmlReport(shortReport());
+    const size_t words = page.find("Words of this report"), runs = page.find("<section id=\"runs\"");
+    ASSERT_LT(words, runs);
+    for (const char* word : {"Range", "Residual", "Estimator", "Root", "Reference", "Extended Kalman filter",
+                             "Root mean square (RMS)", "NEES", "Cardan angles", "Observable"}) {
+        const size_t at = page.find(">" + std::string(word) + "</dt>", words);
+        EXPECT_LT(at, runs) << word;
+    }
+    EXPECT_LT(page.find("Noctule (manifold) is this"), runs);
+    EXPECT_FALSE(has(page.substr(runs), ">manifold")) << "a name of settings";
+    EXPECT_LT(page.find("A stands for accelerometers", runs), page.find("A+G+D", runs));
+}
+
 TEST(HtmlReport, ShowsHowFarAnotherRunIsFromTheShownOne) {
     ReportData data = madeReport(6);
     const std::string caption = "How far other runs are from the shown run";
