@@ -16,12 +16,12 @@ namespace {
 /// "AGD", "AGD paper", and when there is one already "AGD 2".
 std::string freeRunName(const std::vector<DerivedRun>& runs, const ProcessRequest& request) {
     const std::string wanted = request.run_name.empty() ? defaultRunName(request.tracker) : request.run_name;
-    const auto taken = [&](const std::string& name) {
+    const auto isTaken = [&](const std::string& name) {
         return std::any_of(runs.begin(), runs.end(),
                            [&](const DerivedRun& run) { return run.kind == "pose" && run.name == name; });
     };
     std::string name = wanted;
-    for (int number = 2; taken(name); ++number)
+    for (int number = 2; isTaken(name); ++number)
         name = wanted + " " + std::to_string(number);
     return name;
 }

@@ -54,24 +54,26 @@ public:
     double duration_s() const override { return clock_.suitTime_s(world_.duration_s()); }
     int boardCount() const override { return world_.boardCount(); }
     int sourceCount() const override { return world_.sourceCount(); }
-    Vector3d microphone(int board, double t_s) const override { return world_.microphone(board, taken(t_s)); }
-    Vector3d source(int source, double t_s) const override { return world_.source(source, taken(t_s)); }
+    Vector3d microphone(int board, double t_s) const override {
+        return world_.microphone(board, takeTime_s(t_s));
+    }
+    Vector3d source(int source, double t_s) const override { return world_.source(source, takeTime_s(t_s)); }
     Vector3d sourceNormal(int source, double t_s) const override {
-        return world_.sourceNormal(source, taken(t_s));
+        return world_.sourceNormal(source, takeTime_s(t_s));
     }
     int boardSegment(int board) const override { return world_.boardSegment(board); }
     int sourceSegment(int source) const override { return world_.sourceSegment(source); }
     int sourceBoard(int source) const override { return world_.sourceBoard(source); }
     void capsules(double t_s, std::vector<WorldCapsule>& capsules) const override {
-        world_.capsules(taken(t_s), capsules);
+        world_.capsules(takeTime_s(t_s), capsules);
     }
     BoardMotion boardMotion(int board, double t_s) const override {
-        return world_.boardMotion(board, taken(t_s));
+        return world_.boardMotion(board, takeTime_s(t_s));
     }
     void beginAgain() override { world_.beginAgain(); }
 
 private:
-    double taken(double suit_s) const { return clock_.takeTime_s(suit_s); }
+    double takeTime_s(double suit_s) const { return clock_.takeTime_s(suit_s); }
 
     SuitWorld& world_;
     const BoxClock& clock_;

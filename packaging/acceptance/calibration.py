@@ -64,7 +64,7 @@ def figure(options):
               lambda: built_tests.run("test_core_calibration", "*", r"[0-9].*(mm|mg|deg|°|named|error)",
                                       NOCTULE_CALIBRATION_TRIALS=trials)),
              ("Photographs with markers", lambda: built_tests.run("test_core_vision", "*", r"(mm|px|chi-square)")),
-             ("The wizard of accelerometers with an operator", at_an_operators_pace),
+             ("The wizards of accelerometers and gyroscopes with an operator", at_an_operators_pace),
              ("What a guided movement does for other motions", movement)]
     text = f"Nominal scenario, {trials} suits each; movement in the realistic one, a tenth as many performers.\n\n"
     missed = []

@@ -186,7 +186,7 @@ QRectF around(const QPointF& at, double radius) {
 }
 
 /// What a distance must not stand on.
-std::vector<QRectF> taken(const QRectF& area, const OverlayContent& content) {
+std::vector<QRectF> occupiedAreas(const QRectF& area, const OverlayContent& content) {
     std::vector<QRectF> boxes{around(content.distance->from, px(12))};
     for (const SceneTag& tag : content.tags)
         boxes.push_back(around(tag.at, px(9)));
@@ -270,7 +270,7 @@ std::optional<QRectF> SceneOverlay::distanceBox(const QRectF& area, const Overla
                           px(20),
                       text.height() + pair.height() + px(14)));
     box.moveCenter(distance.floor);
-    const std::vector<QRectF> boxes = taken(area, content);
+    const std::vector<QRectF> boxes = occupiedAreas(area, content);
     const QRectF inside = area.adjusted(px(8), px(52), -px(8), -px(8));
     for (const int steps : {0, -1, 1, -2, 2, -3, 3, -4, 4, -5, 5, -6, 6}) {
         const QRectF moved = box.translated(0, steps * box.height() / 2);

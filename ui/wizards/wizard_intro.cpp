@@ -32,7 +32,7 @@ WizardIntro::WizardIntro(CaptureContext& capture, QWidget* parent)
       drawing_(new RigDrawing),
       sphere_(new FieldDrawing),
       problem_(new ProblemCard(Tone::kError, {}, {})),
-      first_(new ProblemCard(
+      prerequisite_(new ProblemCard(
           Tone::kWarn, tr("Gyroscopes come first"),
           tr("The gyroscopes of this suit are not calibrated yet. Calibrate sources, accelerometers and "
              "gyroscopes before the rest pose: what it finds rests on them."))),
@@ -45,7 +45,7 @@ WizardIntro::WizardIntro(CaptureContext& capture, QWidget* parent)
     column->addWidget(drawing_, 1);
     column->addWidget(sphere_, 1);
     makeWords();
-    for (ProblemCard* card : {problem_, first_}) {
+    for (ProblemCard* card : {problem_, prerequisite_}) {
         column->addWidget(card);
         card->hide();
     }
@@ -131,7 +131,8 @@ void WizardIntro::refresh() {
                                        "source, board, distance_m"));
     const Suit& suit = capture_.suit().suit();
     const Calibration known = capture_.calibrations().inForce().value_or(Calibration{});
-    first_->setVisible(run_->task() == WizardTask::kRestPose && lackOf(suit, known).ofMostGyroscopes());
+    prerequisite_->setVisible(run_->task() == WizardTask::kRestPose &&
+                              lackOf(suit, known).ofMostGyroscopes());
     showProblem();
 }
 
@@ -164,8 +165,8 @@ QString WizardIntro::problem() const {
     return problem_->isVisible() ? problem_->title() : QString();
 }
 
-QString WizardIntro::first() const {
-    return first_->isVisible() ? first_->title() : QString();
+QString WizardIntro::prerequisite() const {
+    return prerequisite_->isVisible() ? prerequisite_->title() : QString();
 }
 
 void WizardIntro::chooseDistances() {

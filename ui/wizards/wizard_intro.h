@@ -31,8 +31,8 @@ public:
     /// As if it had been chosen in the dialog.
     void useDistances(const QString& path);
     QString problem() const;
-    /// The title of what should be done before; empty: nothing.
-    QString first() const;
+    /// The title of the calibration that should be done before this one; empty: none.
+    QString prerequisite() const;
     /// For the dock beside it.
     QWidget* words() { return words_; }
     /// "3 steps were taken on 5 March 2026 and are kept."; empty: none was.
@@ -51,7 +51,7 @@ private:
     QWidget* words_;
     RigDrawing* drawing_;
     FieldDrawing* sphere_;
-    ProblemCard *problem_, *first_;
+    ProblemCard *problem_, *prerequisite_;
     QString no_distances_;  ///< why the file that was chosen last could not be read
     Button *begin_, *anew_, *distances_, *takes_;
 };

@@ -148,6 +148,17 @@ protected:
                 << ": " << heard();
         }
     }
+    /// `pause_ms`: how long the operator takes to turn the boards before each.
+    void spinEachSide(int pause_ms = 0) {
+        for (int side = 0; side < 6; ++side) {
+            QTest::qWait(pause_ms);
+            operate(QByteArray("spin ") + kSideNames[side] + " 45");
+            ASSERT_TRUE(waitLong([&] {
+                return run().phase() >= Phase::kSolving || run().guide()->isDone(side);
+            })) << kSideNames[side]
+                << ": " << heard();
+        }
+    }
     void save() {
         ASSERT_TRUE(run().result());
         click(page_->wizard().resultSide().saveButton());

@@ -128,11 +128,11 @@ bool PerformerEditor::hasOtherSide() const {
 
 QString PerformerEditor::freeName(const QString& wanted, const std::string& own) const {
     const QString base = wanted.trimmed();
-    const auto taken = [&](const std::string& name) {
+    const auto isTaken = [&](const std::string& name) {
         return name != own && session_.session().findPerformer(name);
     };
     QString name = base;
-    for (int number = 2; taken(name.toStdString()); ++number)
+    for (int number = 2; isTaken(name.toStdString()); ++number)
         name = tr("%1 (%2)", "name of a performer, number").arg(base).arg(number);
     return name;
 }

@@ -9,12 +9,14 @@
 namespace noctule::ui {
 namespace {
 
-/// Tables of ten columns fit narrower pages if their bars are short.
-constexpr int kNarrowTable = 600;
+/// Tables of ten columns fit pages narrower than this, in pixels, if their bars are short.
+constexpr int kNarrowPage = 600;
+/// Width in units of its own view box. Plots narrower than this may stand side by side.
+constexpr double kLeastWidthOfWholeRow = 600;
 
 /// They stand two in a row where their words stay readable so.
 bool isNarrow(const ReportFigure& plot) {
-    return plot.viewBox().width() < 600;
+    return plot.viewBox().width() < kLeastWidthOfWholeRow;
 }
 
 /// Walks the markup of one part and writes what QTextDocument understands.
@@ -144,7 +146,7 @@ QSize figureSize(const ReportFigure& figure, int page_width) {
             return QSizeF(width, width * box.height() / std::max(1.0, box.width())).toSize();
         }
         case ReportFigure::Kind::kBar:
-            return Theme::get().scale() * QSize(page_width < Theme::get().px(kNarrowTable) ? 40 : 120, 8);
+            return Theme::get().scale() * QSize(page_width < Theme::get().px(kNarrowPage) ? 40 : 120, 8);
         case ReportFigure::Kind::kIcon:
             return Theme::get().scale() * QSize(16, 16);
         case ReportFigure::Kind::kSwatch:

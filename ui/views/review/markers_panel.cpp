@@ -15,6 +15,7 @@ constexpr int kMarkerIndent = 6;  ///< beyond a cell's own, to the column of the
 
 MarkersPanel::MarkersPanel(ReviewContext& review, QWidget* parent) : QListWidget(parent), review_(review) {
     setFrameShape(QFrame::NoFrame);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);  // else its section takes free height
     setAccessibleName(tr("Markers"));
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setTextElideMode(Qt::ElideRight);
