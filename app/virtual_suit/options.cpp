@@ -22,7 +22,9 @@ const std::vector<batch::Option>& table() {
                  text("subject", "NAME",
                       "whose box of the cast, or of a take of several; room: the one of its anchors"),
                  text("start-at", "UTC",
-                      "when the cast begins, as 2026-05-01T10:00:00Z, the same for all of its boxes; or now"),
+                      "when the cast or the take begins, as 2026-05-01T10:00:00Z, the same for all of its "
+                      "boxes; "
+                      "or now. A take without it begins at each START"),
                  flag("loop",
                       "after the end go on: back through the motion and forth again, or the take "
                       "from its beginning; else silence follows"),
@@ -69,12 +71,12 @@ Status checkSource(const batch::Arguments& arguments) {
                 return usage("--" + std::string(name) + " does not go with --take, which is recorded already",
                              "Leave it out, or play a --motion");
     for (const char* name : {"subject", "start-at"}) {
-        const bool of_take = std::string(name) == "subject" && arguments.given("take");
-        if (arguments.given(name) != arguments.given("cast") && !of_take)
+        if (arguments.given(name) != arguments.given("cast") && !arguments.given("take"))
             return arguments.given("cast")
                        ? usage("--cast without --" + std::string(name),
                                "Give --subject NAME and --start-at UTC, the same instant for all boxes")
-                       : usage("--" + std::string(name) + " without --cast", "Give --cast CAST.json too");
+                       : usage("--" + std::string(name) + " without --cast or --take",
+                               "Give --cast CAST.json or --take T.noctule too");
     }
     if (arguments.given("cast"))
         for (const char* name : {"suit", "actor", "up", "height", "bones"})

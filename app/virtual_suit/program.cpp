@@ -16,6 +16,7 @@
 #include "app/virtual_suit/options.h"
 #include "app/virtual_suit/pty_port.h"
 #include "app/virtual_suit/simulated_source.h"
+#include "app/virtual_suit/start_instant.h"
 #include "app/virtual_suit/take_source.h"
 #include "app/virtual_suit/tcp_port.h"
 #include "devices/driver_box/discovery.h"
@@ -42,10 +43,21 @@ void tellLine(const std::string& text) {
     std::fprintf(stderr, "%s\n", text.c_str());
 }
 
+Result<SoundOfSuit> openTake(const Options& options) {
+    std::optional<int64_t> start_ns;
+    if (options.arguments.given("start-at")) {
+        const auto start = startInstant(options.arguments.text("start-at"));
+        if (!start)
+            return start.error();
+        start_ns = *start;
+    }
+    return openTakeSource(options.take(), options.arguments.text("subject"), options.loop(), start_ns);
+}
+
 /// Neither one who stands in the rest pose nor a rig is ever done.
 Result<SoundOfSuit> openSound(const Options& options) {
     if (!options.take().empty())
-        return openTakeSource(options.take(), options.arguments.text("subject"), options.loop());
+        return openTake(options);
     if (options.arguments.given("cast"))
         return openCastBox(options);
     batch::Console console(false, false);

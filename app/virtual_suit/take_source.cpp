@@ -2,6 +2,7 @@
 #include "app/virtual_suit/take_source.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <deque>
 
@@ -25,25 +26,45 @@ struct TakeContent {
     int board_count = 0;
     int64_t sample_count = 0, read_ahead_samples = 0;
     int64_t loops_from = 0;  ///< where each round but the first begins
+    int rate_hz = 0;
+    SuitClock clock;
     std::vector<link::EmittedPulse> pulses;
+
+    int64_t roundSamples() const { return sample_count - loops_from; }
 };
+
+/// The sample of the take that is played then, where rounds from `from` follow its first `count` samples.
+int64_t inRounds(int64_t sample, int64_t count, int64_t from) {
+    return sample < count ? sample : from + (sample - from) % (count - from);
+}
 
 class TakeSource : public SoundSource {
 public:
-    TakeSource(TakeContent content, bool loop) : content_(std::move(content)), loop_(loop) {}
+    TakeSource(TakeContent content, bool loop, std::optional<int64_t> start_ns,
+               std::shared_ptr<std::atomic<int64_t>> begun_at)
+        : content_(std::move(content)), loop_(loop), start_ns_(start_ns), begun_at_(std::move(begun_at)) {}
 
-    Status restart(int64_t /*begin_ns*/) override {
-        lap_start_ = 0;
-        rewind(0);
+    bool isTimed() const override { return start_ns_.has_value(); }
+    Status restart(int64_t begin_ns) override {
+        const int64_t at = start_ns_ ? sampleAt(begin_ns) : 0;
+        *begun_at_ = at;
+        const int64_t played = loop_ ? inRounds(at, content_.sample_count, content_.loops_from) : at;
+        lap_start_ = -played;
+        next_silent_ = 0;
+        rewind(std::max<int64_t>(0, played));
         return Done{};
     }
 
     Result<std::optional<SoundBlock>> next() override {
+        if (next_silent_ < lap_start_)
+            return std::optional(silence());
         while (ahead_.empty()) {
             if (read_to_ >= content_.sample_count) {
-                if (!loop_ || played_in_lap_ == 0)
+                const bool is_empty = lap_first_ == content_.loops_from && played_in_lap_ == 0;
+                if (!loop_ || is_empty)
                     return std::optional<SoundBlock>();
-                lap_start_ += content_.sample_count - content_.loops_from;
+                lap_start_ += content_.roundSamples();
+                next_silent_ = lap_start_;
                 rewind(content_.loops_from);
             }
             if (Status read = readAhead(); !read)
@@ -68,6 +89,21 @@ public:
     }
 
 private:
+    /// Of the suit's own time, which may be before the take or behind it.
+    int64_t sampleAt(int64_t instant_ns) const {
+        const double take_s = 1e-9 * static_cast<double>(instant_ns - *start_ns_);
+        return std::llround(content_.clock.suitTime_s(take_s) * content_.rate_hz);
+    }
+
+    /// The take has not begun yet.
+    SoundBlock silence() {
+        const int64_t count = std::min<int64_t>(link::kUsualBlockSamples, lap_start_ - next_silent_);
+        const std::vector<int16_t> zeros(static_cast<size_t>(count * content_.board_count));
+        SoundBlock block{{next_silent_, content_.board_count, zeros}, {}};
+        next_silent_ += count;
+        return block;
+    }
+
     void rewind(int64_t to) {
         ahead_.clear();
         read_to_ = lap_first_ = to;
@@ -105,6 +141,9 @@ private:
 
     TakeContent content_;
     bool loop_;
+    std::optional<int64_t> start_ns_;
+    std::shared_ptr<std::atomic<int64_t>> begun_at_;  ///< sample of the suit's time of the last restart
+    int64_t next_silent_ = 0;
     std::deque<SoundBlock> ahead_;  ///< in the take's own time
     int64_t read_to_ = 0, lap_first_ = 0, lap_start_ = 0, played_in_lap_ = 0;
     size_t next_pulse_ = 0;
@@ -147,12 +186,38 @@ Result<TakeContent> contentOf(Take take, int suit_id, size_t source_count) {
     if (*samples == 0)
         return noSound(path, "holds no sound");
     const int64_t loops_from = loopsFrom(take, *samples, *rate_hz);
-    TakeContent content{std::move(take), suit_id, *boards, *samples, 0, loops_from, {}};
+    const SuitClock clock = take.suitClock(suit_id);
+    TakeContent content{
+        std::move(take), suit_id, *boards, *samples, 0, loops_from, static_cast<int>(*rate_hz), clock, {}};
     content.read_ahead_samples = static_cast<int64_t>(kReadAhead_s * static_cast<double>(*rate_hz));
     for (const Pulse& pulse : *pulses)
         if (pulse.source < static_cast<int>(source_count))
             content.pulses.push_back({pulse.sample, pulse.source});
     return content;
+}
+
+/// Rounds from where all suits have begun to where the first one ends, as long for each of them.
+Status takeCommonRounds(TakeContent& content) {
+    const Take& take = content.take;
+    const double rate_hz = content.rate_hz;
+    double begin_s = content.clock.takeTime_s(static_cast<double>(content.loops_from) / rate_hz);
+    double end_s = content.clock.takeTime_s(static_cast<double>(content.sample_count) / rate_hz);
+    for (const int suit : take.suitIds()) {
+        const auto samples = take.sampleCount(suit);
+        if (!samples)
+            return samples.error();
+        const SuitClock clock = take.suitClock(suit);
+        begin_s = std::max(begin_s, clock.takeTime_s(0));
+        end_s = std::min(end_s, clock.takeTime_s(static_cast<double>(*samples) / rate_hz));
+    }
+    const auto round = static_cast<int64_t>(std::floor((end_s - begin_s) * rate_hz + 1e-3));
+    const int64_t from = std::llround(content.clock.suitTime_s(begin_s) * rate_hz);
+    if (round <= 0 || from < 0 || from + round > content.sample_count)
+        return Error{ErrorKind::kUnusable, take.path() + ": its suits were recorded one after the other",
+                     "Leave out --start-at or --loop"};
+    content.loops_from = from;
+    content.sample_count = from + round;
+    return Done{};
 }
 
 /// What stood in the take's status then; in a later lap the same again.
@@ -188,7 +253,8 @@ Result<int> suitOf(const Take& take, const std::string& name) {
 
 }  // namespace
 
-Result<SoundOfSuit> openTakeSource(const std::string& path, const std::string& subject, bool loop) {
+Result<SoundOfSuit> openTakeSource(const std::string& path, const std::string& subject, bool loop,
+                                   std::optional<int64_t> start_ns) {
     auto take = Take::open(path);
     if (!take)
         return take.error();
@@ -210,12 +276,16 @@ Result<SoundOfSuit> openTakeSource(const std::string& path, const std::string& s
     if (content->board_count != hello.boardCount())
         return noSound(path, "its sound is of " + std::to_string(content->board_count) +
                                  " boards, its suit has " + std::to_string(hello.boardCount()));
-    const int64_t count = content->sample_count, from = content->loops_from;
-    return SoundOfSuit{std::make_unique<TakeSource>(std::move(*content), loop), std::move(hello),
-                       [rows = *rows, count, from](int64_t sample) {
-                           const bool again = sample >= count;
-                           return measured(rows, again ? from + (sample - from) % (count - from) : sample);
-                       }};
+    if (start_ns && loop)
+        if (Status common = takeCommonRounds(*content); !common)
+            return common.error();
+    const auto begun_at = std::make_shared<std::atomic<int64_t>>(0);
+    const auto measurements = [rows = *rows, begun_at, count = content->sample_count,
+                               from = content->loops_from](int64_t sample) {
+        return measured(rows, inRounds(*begun_at + sample, count, from));
+    };
+    return SoundOfSuit{std::make_unique<TakeSource>(std::move(*content), loop, start_ns, begun_at),
+                       std::move(hello), measurements};
 }
 
 }  // namespace noctule::virtual_suit

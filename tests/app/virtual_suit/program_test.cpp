@@ -390,6 +390,8 @@ TEST(VirtualSuitUsage, MistakesAreNamed) {
         {{"--rig", "jig", "--actor", "x"}, 2, "--actor"},
         {{"--rig", "rest", "--take", "x"}, 2, "--take"},
         {{"--take", "x", "--scenario", "ideal"}, 2, "--scenario"},
+        {{"--take", "x", "--start-at", "noon"}, 2, "noon"},
+        {{"--rig", "rest", "--start-at", "now"}, 2, "--take"},
         {{"--rig", "rest", "--tcp", "41941"}, 2, "41941"},
         {{"--rig", "rest", "--speed", "0"}, 2, "--speed"},
         {{"--rig", "rest", "--pty", "--announce"}, 2, "--tcp"},
