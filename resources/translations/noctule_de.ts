@@ -4672,6 +4672,11 @@
         <comment>a time of the take, or of the day</comment>
         <translation>Verloren seit %1.</translation>
     </message>
+    <message>
+        <source>Nothing has arrived since %1.</source>
+        <comment>a time of the take, or of the day</comment>
+        <translation>Seit %1 kommt nichts an.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::LivePairs</name>

@@ -68,6 +68,8 @@ public:
     std::shared_ptr<const SessionStatus> status() const;
     /// The link is broken: frame() is the last one before.
     bool isLost() const { return status()->link == LinkState::kLost; }
+    /// No sound arrives: the link is broken or stalls. frame() is the last one before.
+    bool isSilent() const { return isLost() || status()->link == LinkState::kStalled; }
     /// Of the driver box; empty before it has told it.
     QString serial() const;
     /// The newest live frame; null without a stream or when nothing is processed. Its poses are true only

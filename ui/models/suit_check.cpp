@@ -35,7 +35,8 @@ void SuitCheck::follow() {
         silent_since_.assign(hello->suit.boards.size(), {});
         was_heard_.assign(hello->suit.boards.size(), false);
         battery_ = {};
-        lost_since_ = {};
+        nothing_since_ = {};
+        is_lost_ = false;
         rate_from_sample_ = -1;
         bytes_per_s_ = 0;
         timer_.start();
@@ -67,7 +68,7 @@ void SuitCheck::judge() {
     Readiness now = judge_->judge(facts);
     // Between two streams nothing is known for a moment; what was known still holds.
     if (now.verdict == Readiness::Verdict::kWaiting && !readiness_.boards.empty() &&
-        readiness_.verdict != Readiness::Verdict::kWaiting && !lost_since_.isValid())
+        readiness_.verdict != Readiness::Verdict::kWaiting && !nothing_since_.isValid())
         return emit changed();
     readiness_ = std::move(now);
     noteTimes();
@@ -121,10 +122,11 @@ void SuitCheck::measureRate() {
 }
 
 void SuitCheck::noteTimes() {
-    const bool lost = suit_.status()->link == LinkState::kLost;
-    if (lost != lost_since_.isValid())
-        lost_since_ = lost ? QTime::currentTime() : QTime();
-    for (size_t board = 0; board < readiness_.boards.size() && !lost; ++board) {
+    is_lost_ = suit_.isLost();
+    const bool nothing = suit_.isSilent();
+    if (nothing != nothing_since_.isValid())
+        nothing_since_ = nothing ? QTime::currentTime() : QTime();
+    for (size_t board = 0; board < readiness_.boards.size() && !nothing; ++board) {
         const auto state = readiness_.boards[board].state;
         const bool silent = state == BoardReadiness::State::kSilent;
         if (!silent)
@@ -136,7 +138,7 @@ void SuitCheck::noteTimes() {
 }
 
 void SuitCheck::forgetAccepted() {
-    if (readiness_.verdict == Readiness::Verdict::kWaiting || lost_since_.isValid())
+    if (readiness_.verdict == Readiness::Verdict::kWaiting || nothing_since_.isValid())
         return;
     std::set<int> boards, sources;
     for (const ReadinessProblem& problem : readiness_.problems) {

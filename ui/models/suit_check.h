@@ -31,7 +31,9 @@ public:
     /// When a board fell silent; invalid when it is not, or was never heard.
     QTime silentSince(int board) const;
     /// When the link broke; invalid while it holds.
-    QTime lostSince() const { return lost_since_; }
+    QTime lostSince() const { return is_lost_ ? nothing_since_ : QTime(); }
+    /// Since when no sound arrives, broken link or not; invalid while it does.
+    QTime nothingSince() const { return nothing_since_; }
     std::optional<double> batteryLeft_s() const { return battery_.left_s(); }
     /// Of sound that arrives now, as measured.
     double bytesPerSecond() const { return bytes_per_s_; }
@@ -62,7 +64,8 @@ private:
     std::set<int> without_boards_, without_sources_;
     std::vector<QTime> silent_since_;
     std::vector<bool> was_heard_;
-    QTime lost_since_;
+    QTime nothing_since_;
+    bool is_lost_ = false;
     std::optional<bool> checked_;
     BatteryForecast battery_;
     QElapsedTimer clock_;

@@ -207,8 +207,7 @@ void WizardRun::beginAnew() {
 bool WizardRun::isWaitingForSuit() const {
     const LiveSuit::Phase phase = capture_.suit().phase();
     const bool streams = phase == LiveSuit::Phase::kLooking || phase == LiveSuit::Phase::kSaving;
-    const LinkState link = capture_.suit().status()->link;
-    return !streams || link == LinkState::kLost || link == LinkState::kStalled;
+    return !streams || capture_.suit().isSilent();
 }
 
 /// A suit that is gone sends no frame that would say so.

@@ -96,6 +96,8 @@ public:
     void restart() { restart_wanted_ = true; }
     /// As if it stood still, its wire open.
     void freeze(bool frozen) { frozen_ = frozen; }
+    /// A block each second only: its link stalls again and again and is never lost.
+    void stutter(bool stutters) { stutters_ = stutters; }
     bool streaming() const { return streaming_; }
     int64_t sampledSamples() const { return sampled_; }
     std::vector<link::BoxEvent> events() const {
@@ -167,7 +169,8 @@ private:
         write();
     }
     void produce(int64_t now_ns) {
-        if (!box_->streaming())
+        constexpr int64_t kStutter_ns = 1'000'000'000;
+        if (!box_->streaming() || (stutters_ && now_ns - offered_ns_ < kStutter_ns))
             return;
         const double rate_hz = sound_.hello.sample_rate_hz * options_.speed;
         while (static_cast<double>(box_->nextSample() + link::kUsualBlockSamples) / rate_hz * 1e9 <=
@@ -183,6 +186,9 @@ private:
             block.first_sample = now;
             box_->offer(pulses);
             box_->offer(block);
+            offered_ns_ = now_ns;
+            if (stutters_)
+                break;
         }
         sampled_ = box_->nextSample();
     }
@@ -205,9 +211,9 @@ private:
     std::unique_ptr<link::BoxConversation> box_;
     link::Bytes unwritten_;
     bool known_client_ = false;
-    int64_t begun_ns_ = 0;
+    int64_t begun_ns_ = 0, offered_ns_ = 0;
     std::atomic<bool> ends_ = false, cut_wanted_ = false, restart_wanted_ = false, frozen_ = false,
-                      streaming_ = false;
+                      stutters_ = false, streaming_ = false;
     std::atomic<int64_t> sampled_ = 0;
     mutable std::mutex mutex_;
     std::vector<link::BoxEvent> events_;

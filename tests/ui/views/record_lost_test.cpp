@@ -36,6 +36,25 @@ TEST_F(RecordLost, ALostSuitKeepsNoLevelsAndSaysSinceWhen) {
     ASSERT_TRUE(waitFor([this] { return session().takes.size() == 1; }));
 }
 
+/// The box answers and sends hardly a block: the link is not lost.
+TEST_F(RecordLost, AStalledSuitKeepsNoLevelsEither) {
+    TestBox box({.loops = true});
+    openSession();
+    ASSERT_TRUE(connectTo(box));
+    const LevelsPanel& levels = page_->center().levels();
+    LevelMeters& meters = page_->center().levels().meters();
+    ASSERT_TRUE(waitFor([&] { return meters.levels().size() == 2 && !levels.pairsInWords().isEmpty(); }));
+    box.stutter(true);
+    ASSERT_TRUE(waitFor([&] { return levels.pairsInWords().contains("Nothing has arrived since "); }))
+        << levels.pairsInWords().toStdString();
+    EXPECT_TRUE(levels.pairsInWords().startsWith("0 of 4 good now. "));
+    EXPECT_TRUE(studio_->suits().current().check.nothingSince().isValid());
+    EXPECT_TRUE(meters.levels().empty());
+    box.stutter(false);
+    EXPECT_TRUE(waitFor([&] { return meters.levels().size() == 2; })) << "it flows again";
+    EXPECT_FALSE(levels.pairsInWords().contains("since"));
+}
+
 TEST_F(RecordLost, ItsBodyFadesAndHearsNothing) {
     TestBox box({.loops = true});
     openSession();

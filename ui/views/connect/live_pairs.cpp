@@ -80,7 +80,7 @@ PairCell LivePairs::cellOf(const Readiness& readiness, int source, int board) co
     if (readiness.boards[static_cast<size_t>(board)].state == BoardReadiness::State::kSilent)
         return {PairCell::State::kLost, 0, tr("%1: the board sends nothing", "a pair").arg(name)};
     const PairHealth& pair = frame->health.pair(source, board);
-    if (check().lostSince().isValid() || !pair.age_s || *pair.age_s > kNow_s)
+    if (check().nothingSince().isValid() || !pair.age_s || *pair.age_s > kNow_s)
         return {PairCell::State::kSilent, 0, tr("%1: not heard", "a pair").arg(name)};
     return {PairCell::State::kHeard, pair.confidence,
             tr("%1: confidence %2, distance %3", "a pair")

@@ -217,7 +217,7 @@ void ReadinessPanel::showNumbers() {
     const SuitCheck& check = capture_.check();
     const Readiness& readiness = check.readiness();
     const bool known = readiness.verdict != Readiness::Verdict::kWaiting && !readiness.boards.empty() &&
-                       !check.lostSince().isValid();
+                       !check.nothingSince().isValid();
     const auto of = [](int some, size_t all) { return tr("%1 of %2").arg(some).arg(all); };
     const auto faint =
         std::ranges::count(readiness.problems, ProblemKind::kSourceFaint, &ReadinessProblem::kind);

@@ -74,17 +74,20 @@ void LevelsPanel::startAnew() {
     good_->setText({});
 }
 
-/// What was heard last says nothing once the link is broken.
+/// What was heard last says nothing once no sound arrives.
 void LevelsPanel::followLink() {
     const SuitInUse& worn = studio_.suits().current();
-    if (!worn.suit.isLost())
-        return;
     const bool takes = worn.suit.phase() == LiveSuit::Phase::kRecording;
+    if (!worn.suit.isSilent() || (!takes && !worn.check.nothingSince().isValid()))
+        return;
     const QString since = takes ? timeText(worn.suit.recordedSeconds(), 0)
-                                : worn.check.lostSince().toString(QStringLiteral("HH:mm:ss"));
+                                : worn.check.nothingSince().toString(QStringLiteral("HH:mm:ss"));
     const QString words =
         tr("%1 of %2 good now").arg(0).arg(static_cast<int>(needles_.size()) * sources_.size()) +
-        QStringLiteral(". ") + tr("Lost since %1.", "a time of the take, or of the day").arg(since);
+        QStringLiteral(". ") +
+        (worn.suit.isLost() ? tr("Lost since %1.", "a time of the take, or of the day")
+                            : tr("Nothing has arrived since %1.", "a time of the take, or of the day"))
+            .arg(since);
     if (good_->text() == words)
         return;
     startAnew();
@@ -98,7 +101,7 @@ QString LevelsPanel::pairsInWords() const {
 void LevelsPanel::take() {
     const auto frame = studio_.suit().frame();
     const auto hello = studio_.suit().status()->hello;
-    if (!frame || !hello || studio_.suit().isLost())
+    if (!frame || !hello || studio_.suit().isSilent())
         return;
     const size_t boards = frame->health.boards.size();
     if (boards != needles_.size() || frame->sample < last_sample_)
@@ -122,7 +125,7 @@ void LevelsPanel::take() {
 
 void LevelsPanel::show() {
     const auto frame = studio_.suit().frame();
-    if (!frame || frame->health.boards.size() != needles_.size() || studio_.suit().isLost())
+    if (!frame || frame->health.boards.size() != needles_.size() || studio_.suit().isSilent())
         return;
     std::vector<BoardLevel> levels(needles_.size());
     for (size_t board = 0; board < levels.size(); ++board) {

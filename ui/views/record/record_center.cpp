@@ -71,9 +71,9 @@ void RecordCenter::wear() {
 /// No frame tells that no more of them come.
 void RecordCenter::followLinks() {
     const auto connected = studio_.suits().connected();
-    const auto lost = static_cast<int>(
-        std::ranges::count_if(connected, [](const SuitInUse* worn) { return worn->suit.isLost(); }));
-    if (std::exchange(lost_suits_, lost) != lost)
+    const auto silent = static_cast<int>(
+        std::ranges::count_if(connected, [](const SuitInUse* worn) { return worn->suit.isSilent(); }));
+    if (std::exchange(silent_suits_, silent) != silent)
         showFrame();
 }
 
@@ -86,9 +86,9 @@ void RecordCenter::showFrame() {
         for (const SuitInUse* worn : suits.connected())
             if (worn != &suits.current())
                 others.push_back(
-                    {wearerOf(worn->suit), worn->suit.frame(), suits.letterOf(*worn), worn->suit.isLost()});
+                    {wearerOf(worn->suit), worn->suit.frame(), suits.letterOf(*worn), worn->suit.isSilent()});
     scene_->setCompany(suits.letterOf(suits.current()), std::move(others));
-    scene_->showFrame(studio_.suit().frame(), studio_.suit().isLost());
+    scene_->showFrame(studio_.suit().frame(), studio_.suit().isSilent());
 }
 
 void RecordCenter::showTake() {

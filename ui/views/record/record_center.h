@@ -53,7 +53,7 @@ private:
     ProblemCard* refusal_ = nullptr;
     QString refused_text_;  ///< that it tells
     bool offers_record_anyway_ = false;
-    int lost_suits_ = 0;  ///< as drawn last
+    int silent_suits_ = 0;  ///< as drawn last
 };
 
 }  // namespace noctule::ui

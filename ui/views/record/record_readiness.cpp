@@ -184,7 +184,7 @@ void RecordReadiness::showLink() {
     const link::LinkStatistics link = suit.link();
     const qint64 lost = link.frames.lost_frames;
     const qint64 damaged = link.frames.damaged_payloads + link.frames.bad_headers;
-    const bool broken = status->link == LinkState::kLost || status->link == LinkState::kStalled;
+    const bool broken = suit.isSilent();
     setFact(Fact::kLink,
             broken                 ? tr("broken", "a link")
             : megabytes_per_s_ > 0 ? tr("%1\u00A0MB/s").arg(numberText(megabytes_per_s_, 1))
