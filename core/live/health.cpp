@@ -66,6 +66,7 @@ void HealthMonitor::add(const RangeMeasurement& range) {
     windows_[static_cast<size_t>(range.board)].ranges.add(static_cast<double>(range.pulse_sample), 1);
     heard_at_[pair] = static_cast<double>(range.pulse_sample);
     report_.pairs[pair].confidence = range.confidence();
+    report_.pairs[pair].heard = range.w_s * range.w_t;
     report_.pairs[pair].distance_m = range.distance_m;
 }
 

@@ -44,6 +44,7 @@ struct BoardHealth {
 struct PairHealth {
     std::optional<double> age_s;  ///< of the last range; absent: never heard
     double confidence = 0;        ///< of that one
+    double heard = 0;             ///< of its sound alone, without what the pose made of it
     double distance_m = 0;
 };
 

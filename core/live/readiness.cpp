@@ -108,15 +108,16 @@ void ReadinessJudge::remember(const HealthReport& health) {
     for (int source = 0; source < source_count_; ++source)
         for (int board = 0; board < board_count_; ++board) {
             const PairHealth& pair = health.pair(source, board);
-            if (!pair.age_s || *pair.age_s > limits_.pair_holds_s)
+            if (!pair.age_s)
                 continue;
             const int64_t at = now_ - static_cast<int64_t>(*pair.age_s * sample_rate_hz_);
             const auto raise = [at](int64_t& last) { last = std::max(last, at); };
             if (pair.confidence >= limits_.good_confidence)
                 raise(pair_good_at_[static_cast<size_t>(source * board_count_ + board)]);
-            if (pair.confidence >= limits_.faint_confidence)
+            // A pose that is wrong refuses ranges; the sources sound all the same.
+            if (pair.heard >= limits_.faint_confidence)
                 raise(source_clear_at_[static_cast<size_t>(source)]);
-            if (pair.confidence >= limits_.heard_confidence) {
+            if (pair.heard >= limits_.heard_confidence) {
                 raise(source_heard_at_[static_cast<size_t>(source)]);
                 raise(board_heard_at_[static_cast<size_t>(board)]);
             }

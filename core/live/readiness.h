@@ -54,7 +54,7 @@ struct ReadinessLimits {
     /// So long it may be so: a stream that begins anew (a take streamed in a loop) is found within a second.
     double frames_poor_s = 2;
     double good_confidence = 0.5;   ///< style guide: "good" on every screen
-    double heard_confidence = 0.2;  ///< below, rays are not drawn either
+    double heard_confidence = 0.2;  ///< of the sound alone, as faint_confidence
     double pair_holds_s = 0.5;      ///< eight rounds
     /// Nobody hides all boards from a source for so long by moving.
     double source_unheard_s = 2;

@@ -22,9 +22,8 @@ constexpr const char* kTones = "calibrate/tones";
 /// Without the confidence that comes from a pose: on a rig nobody wears the suit.
 HealthReport healthOnRig(const LiveFrame& frame) {
     HealthReport health = frame.health;
-    for (size_t pair = 0; pair < std::min(health.pairs.size(), frame.ranges.size()); ++pair)
-        if (const auto& range = frame.ranges[pair])
-            health.pairs[pair].confidence = range->w_s * range->w_t;
+    for (PairHealth& pair : health.pairs)
+        pair.confidence = pair.heard;
     return health;
 }
 

@@ -100,6 +100,15 @@ TEST(Health, WhatIsOldIsForgotten) {
     EXPECT_EQ(later.pair(0, 0).confidence, 0.5);
 }
 
+TEST(Health, APairIsHeardWhateverThePoseMakesOfIt) {
+    HealthMonitor health(smallestSuit(), 150000);
+    RangeMeasurement range{1, 75000, 0, 0, 75400, 0.9, 1, 0.5, 1, 0.002};
+    range.w_a = 0;
+    health.add(range);
+    EXPECT_EQ(health.report().pair(0, 0).confidence, 0);
+    EXPECT_EQ(health.report().pair(0, 0).heard, 0.5);
+}
+
 TEST(Latency, QuantilesWithinOnePercent) {
     LatencyHistogram latency;
     EXPECT_EQ(latency.quantile_s(0.5), 0);

@@ -18,7 +18,7 @@ HealthReport wellAt(double t_s) {
     board.frames_per_s = 140;
     board.silent = false;
     health.boards.assign(kJudgedBoards, board);
-    health.pairs.assign(kJudgedBoards * kJudgedSources, PairHealth{0.05, 0.8, 0.5});
+    health.pairs.assign(kJudgedBoards * kJudgedSources, PairHealth{0.05, 0.8, 0.8, 0.5});
     health.suit.battery_percent = 78;
     return health;
 }
@@ -162,11 +162,37 @@ TEST_F(ReadinessTest, ARoomIsReadyThoughItsAnchorsDoNotHearEachOtherAndNobodyWea
     EXPECT_EQ(judge(health).verdict, Readiness::Verdict::kNotReady);
 }
 
+/// As after a stream that began in the midst of a movement: the pose is wrong, plugs and cables are not.
+TEST_F(ReadinessTest, WhatThePoseRefusesIsHeardAllTheSame) {
+    judge(wellAt(3));
+    HealthReport health = wellAt(20);
+    for (PairHealth& refused : health.pairs)
+        refused.confidence = 0;
+    const Readiness readiness = judge(health);
+    EXPECT_TRUE(readiness.problems.empty());
+    EXPECT_EQ(readiness.verdict, Readiness::Verdict::kReady);
+    EXPECT_EQ(readiness.sources_heard, kJudgedSources);
+    EXPECT_EQ(readiness.good_pairs, 0);
+}
+
+/// A pose that lags hands its ranges on late.
+TEST_F(ReadinessTest, ASourceWhoseRangesComeLateIsHeard) {
+    for (const double t_s : {3.0, 6.0, 9.0}) {
+        HealthReport health = wellAt(t_s);
+        for (PairHealth& late : health.pairs)
+            late.age_s = 1;
+        const Readiness readiness = judge(health);
+        EXPECT_EQ(readiness.sources_heard, kJudgedSources) << t_s;
+        EXPECT_TRUE(readiness.problems.empty());
+        EXPECT_EQ(readiness.good_pairs, 0) << "that is now";
+    }
+}
+
 TEST_F(ReadinessTest, ABoardMayHearNothingForAWhile) {
     judge(wellAt(3));
     HealthReport health = wellAt(8);
     for (int source = 0; source < kJudgedSources; ++source)
-        pair(health, source, 3).confidence = 0;
+        pair(health, source, 3).confidence = pair(health, source, 3).heard = 0;
     EXPECT_TRUE(judge(health).problems.empty());
     health.sample = 14 * kJudgedRate_hz;
     const ReadinessProblem problem = only(judge(health));
