@@ -10886,6 +10886,14 @@ Drehen, beide Richtungen x3</translation>
     </message>
 </context>
 <context>
+    <name>noctule::ui::SuitFinder</name>
+    <message>
+        <source>Suit %1</source>
+        <comment>its serial number</comment>
+        <translation>Anzug %1</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::SuitPartsModel</name>
     <message>
         <source>own place</source>

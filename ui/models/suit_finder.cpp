@@ -26,6 +26,13 @@ QString wordsOfDevice(const std::string& text) {
 
 }  // namespace
 
+QString KnownSuit::shownName() const {
+    const QString serial = wordsOfDevice(device.serial);
+    return !serial.isEmpty() && name == QStringLiteral("Suit ") + serial
+               ? SuitFinder::tr("Suit %1", "its serial number").arg(serial)
+               : name;
+}
+
 SuitFinder::SuitFinder(QSettings& settings, QObject* parent) : QObject(parent), settings_(settings) {
     renew();
 }

@@ -22,6 +22,9 @@ struct KnownSuit {
     int colour = -1;      ///< which of kSuitColours, the same at every meeting; -1: nobody has answered yet
     bool present = true;  ///< false: remembered, not here now
 
+    /// The name in the language of the studio, where it is the one that boxes give themselves.
+    QString shownName() const;
+
     bool operator==(const KnownSuit&) const = default;
 };
 

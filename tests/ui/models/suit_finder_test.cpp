@@ -6,6 +6,7 @@
 #include "tests/devices/support/answerer.h"
 #include "tests/devices/support/test_box.h"
 #include "tests/ui/support/wait.h"
+#include "ui/language/language.h"
 
 namespace noctule::ui {
 namespace {
@@ -49,6 +50,22 @@ TEST_F(SuitFinderTest, ABoxHasTheSameNameAndColourAtEveryMeeting) {
     EXPECT_EQ(finder.suits()[0].colour, colour);
     finder.rename("NB-000777", "");
     EXPECT_EQ(finder.suits()[0].name, "Blue suit");
+}
+
+TEST_F(SuitFinderTest, TheNameThatABoxGivesItselfIsInTheLanguageOfTheStudio) {
+    KnownSuit suit;
+    suit.device.serial = "NB-000777";
+    suit.name = "Suit NB-000777";
+    KnownSuit named = suit;
+    named.name = "Suit of Ada";
+    EXPECT_EQ(suit.shownName(), "Suit NB-000777");
+    chooseLanguage(settings_, "de");
+    applyLanguage(settings_);
+    EXPECT_EQ(suit.shownName(), "Anzug NB-000777");
+    EXPECT_EQ(named.shownName(), "Suit of Ada") << "as the operator calls it";
+    EXPECT_EQ(KnownSuit{}.shownName(), "");
+    chooseLanguage(settings_, "en");
+    applyLanguage(settings_);
 }
 
 TEST_F(SuitFinderTest, OneThatWasConnectedIsShownWhenItIsAway) {

@@ -144,7 +144,7 @@ DeviceWords DevicesPanel::wordsFor(const KnownSuit& suit) const {
     DeviceWords words;
     words.icon = isSerialPort(device) ? "usb" : "net";
     words.colour = suit.colour;
-    words.name = suit.name;
+    words.name = suit.shownName();
     words.serial = qt(device.serial);
     const QString where = isSerialPort(device) ? tr("Driver box on USB") : tr("Driver box on the network");
     const QString holds = device.boards > 0 ? tr("%1, %2", "where a device is; what it has")

@@ -175,7 +175,7 @@ void StartPage::addFoundSuits() {
             suit_buttons_.size() == kMost)
             continue;
         Button* button =
-            addSuitCard(suit.name, suit.device.busy ? tr("another studio uses it") : tr("ready to connect"),
+            addSuitCard(suit.shownName(), suit.device.busy ? tr("another studio uses it") : tr("ready to connect"),
                         tr("Connect"));
         button->setDisabledBecause(suit.device.busy ? tr("Another studio uses it.") : QString());
         connect(button, &QPushButton::clicked, this,
