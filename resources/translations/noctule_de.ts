@@ -8551,16 +8551,6 @@ Median; gut: unter %1</translation>
         <translation>Dort ist die Haltung geraten. Die Zeitleiste schraffiert diese Lücken; sie gehören nicht zwischen Anfang und Ende.</translation>
     </message>
     <message>
-        <source>%1 was lost at %2, before the rest pose ended</source>
-        <comment>a performer, a time</comment>
-        <translation>%1 ging bei %2 verloren, vor dem Ende der Ruhehaltung</translation>
-    </message>
-    <message>
-        <source>There is no motion of them.</source>
-        <comment>a performer</comment>
-        <translation>Davon gibt es keine Bewegung.</translation>
-    </message>
-    <message>
         <source>This result shows no pose</source>
         <translation>Dieses Ergebnis zeigt keine Haltung</translation>
     </message>
@@ -9919,9 +9909,14 @@ Median; gut: unter %1</translation>
         <translation>Hier erscheint der Körper der geöffneten Aufnahme.</translation>
     </message>
     <message>
-        <source>%1 was lost at %2, before the rest pose ended. There is no motion of them.</source>
+        <source>%1 was lost at %2, before the rest pose ended</source>
         <comment>a performer, a time</comment>
-        <translation>%1 ging bei %2 verloren, vor dem Ende der Ruhehaltung. Davon gibt es keine Bewegung.</translation>
+        <translation>%1 ging bei %2 verloren, vor dem Ende der Ruhehaltung</translation>
+    </message>
+    <message>
+        <source>There is no motion of them.</source>
+        <comment>a performer</comment>
+        <translation>Davon gibt es keine Bewegung.</translation>
     </message>
     <message>
         <source>This take has no motion yet. Process it, and the body appears here.</source>

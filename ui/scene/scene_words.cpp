@@ -132,13 +132,20 @@ QString whyEmpty(ReviewContext& review) {
     if (take.shownRun() == -1)
         return SceneWords::tr("This take has no motion yet. Process it, and the body appears here.");
     const TakeParty* party = take.overview()->partyOf(take.overview()->suit_in_view);
-    if (party && party->lost_in_rest_s)
-        return SceneWords::tr("%1 was lost at %2, before the rest pose ended. There is no motion of them.",
-                              "a performer, a time")
-            .arg(QString::fromStdString(party->subject.name), timeText(*party->lost_in_rest_s, 0));
+    if (party && party->lost_in_rest_s) {
+        const LostWords words =
+            lostInRest(QString::fromStdString(party->subject.name), *party->lost_in_rest_s);
+        return words.what + QStringLiteral(". ") + words.consequence;
+    }
     if (!take.shownMotion())
         return take.problem();
     return SceneWords::tr("The motion has no pose at this time.");
+}
+
+LostWords lostInRest(const QString& performer, double at_s) {
+    return {SceneWords::tr("%1 was lost at %2, before the rest pose ended", "a performer, a time")
+                .arg(performer, timeText(at_s, 0)),
+            SceneWords::tr("There is no motion of them.", "a performer")};
 }
 
 QString distanceInWords(const ComposedScene::Distance& distance) {

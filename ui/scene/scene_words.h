@@ -29,6 +29,12 @@ QString figureDescription(const FigureScene& figure);
 QString whyEmpty(ReviewContext& review);
 QString whyEmpty(const LiveScene& live);
 
+/// Of who was lost while the rest pose was held: "Bea was lost at 0:02, before the rest pose ended".
+struct LostWords {
+    QString what, consequence;
+};
+LostWords lostInRest(const QString& performer, double at_s);
+
 /// "46 mm ±5"; from a metre on "1.27 m ±0.01". The error is one sigma, left out where it rounds to zero.
 QString distanceInWords(const ComposedScene::Distance& distance);
 /// "right wrist of A to left wrist of B"

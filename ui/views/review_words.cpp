@@ -8,6 +8,7 @@
 
 #include "core/math/conventions.h"
 #include "ui/models/part_names.h"
+#include "ui/scene/scene_words.h"
 #include "ui/style/words.h"
 #include "ui/views/fit_words.h"
 
@@ -186,9 +187,9 @@ ProblemWords lostInRestProblem(const TakeOverview& overview) {
     const QString name = QString::fromStdString(party ? party->subject.name : overview.performer);
     const double at_s = party ? party->lost_in_rest_s.value_or(overview.duration_s) : overview.duration_s;
     ProblemWords words;
-    words.title = Words::tr("%1 was lost at %2, before the rest pose ended", "a performer, a time")
-                      .arg(name, timeText(at_s, 0));
-    words.text = Words::tr("There is no motion of them.", "a performer");
+    const LostWords lost = lostInRest(name, at_s);
+    words.title = lost.what;
+    words.text = lost.consequence;
     return words;
 }
 

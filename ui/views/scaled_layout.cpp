@@ -48,6 +48,13 @@ QHBoxLayout* addRow(QBoxLayout* into, int spacing, const QMargins& margins) {
     return makeRow(row, margins, spacing);
 }
 
+void clearWidgets(QBoxLayout& layout, int from) {
+    while (QLayoutItem* item = layout.takeAt(from)) {
+        delete item->widget();
+        delete item;
+    }
+}
+
 void keepSize(QWidget& widget, int width, int height) {
     keep(widget, [&widget, width, height](const Theme& theme) {
         if (width > 0)

@@ -15,6 +15,9 @@ QGridLayout* makeGrid(QWidget* owner, const QMargins& margins = {}, int spacing 
 /// A row within another layout; it lives in a widget of its own.
 QHBoxLayout* addRow(QBoxLayout* into, int spacing = 8, const QMargins& margins = {});
 
+/// Deletes the widgets from that one on.
+void clearWidgets(QBoxLayout& layout, int from = 0);
+
 /// Fixed sizes; 0: free in that direction.
 void keepSize(QWidget& widget, int width, int height);
 void keepMinimumWidth(QWidget& widget, int width);

@@ -3,7 +3,6 @@
 
 #include <QVBoxLayout>
 
-#include "ui/language/core_words.h"
 #include "ui/style/words.h"
 #include "ui/views/review/process_takes_dialog.h"
 #include "ui/views/scaled_layout.h"
@@ -11,6 +10,7 @@
 #include "ui/widgets/label.h"
 #include "ui/widgets/problem_card.h"
 #include "ui/widgets/scroll_area.h"
+#include "ui/wizards/finding_card.h"
 #include "ui/wizards/wizard_run.h"
 
 namespace noctule::ui {
@@ -59,16 +59,10 @@ void ResultSide::setRun(WizardRun* run) {
 }
 
 void ResultSide::showFindings() {
-    while (QLayoutItem* item = findings_->takeAt(0)) {
-        delete item->widget();
-        delete item;
-    }
+    clearWidgets(*findings_);
     int shown = 0;
     for (const Finding& finding : run_->result()->document.findings) {
-        auto* card = new ProblemCard(
-            finding.grade == Grade::kNotUsable ? Tone::kError : Tone::kWarn,
-            unbroken(coreWords(finding.what)),
-            unbroken(coreWords(finding.remedy.empty() ? std::string() : finding.remedy + ".")));
+        ProblemCard* card = findingCard(finding, toneOf(finding));
         card->setVisible(shows_all_ || shown++ < kMostFindings);
         findings_->addWidget(card);
     }

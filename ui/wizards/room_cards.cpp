@@ -13,6 +13,7 @@
 #include "ui/widgets/problem_card.h"
 #include "ui/widgets/section_header.h"
 #include "ui/wizards/calibration_table_card.h"
+#include "ui/wizards/finding_card.h"
 #include "ui/wizards/room_drawing.h"
 #include "ui/wizards/room_page.h"
 
@@ -81,15 +82,8 @@ QWidget* anchorCard(const RoomSurvey& survey, size_t index, SurveyStage stage) {
 
 }  // namespace
 
-void clearCards(QBoxLayout& column) {
-    while (QLayoutItem* item = column.takeAt(0)) {
-        delete item->widget();
-        delete item;
-    }
-}
-
 void showAnchorCards(QBoxLayout& column, const SurveyedTake& surveyed, SurveyStage stage) {
-    clearCards(column);
+    clearWidgets(column);
     const RoomSurvey& survey = surveyed.survey;
     column.addWidget(new SectionHeader(RoomPage::tr("Anchors"), countOf(survey, stage)));
     for (size_t i = 0; i < survey.anchors.size(); ++i)
@@ -101,27 +95,22 @@ void showAnchorCards(QBoxLayout& column, const SurveyedTake& surveyed, SurveySta
 }
 
 void showFindingCards(QBoxLayout& column, const SurveyedTake& surveyed, SurveyStage stage) {
-    clearCards(column);
+    clearWidgets(column);
     const std::vector<Finding>& findings = surveyed.result.document.findings;
-    const auto add = [&column](const Finding& finding, Tone tone) {
-        column.addWidget(
-            new ProblemCard(tone, coreWords(finding.what),
-                            coreWords(finding.remedy.empty() ? std::string() : finding.remedy + ".")));
-    };
     if (stage == SurveyStage::kWalking) {
         const auto worst = std::ranges::max_element(findings, {}, &Finding::grade);
         if (worst != findings.end())
-            add(*worst, Tone::kWarn);
+            column.addWidget(findingCard(*worst, Tone::kWarn));
         return;
     }
     for (const std::string& warning : surveyed.result.warnings)
         column.addWidget(new ProblemCard(Tone::kWarn, coreWords(warning), {}));
     for (const Finding& finding : findings)
-        add(finding, finding.grade == Grade::kNotUsable ? Tone::kError : Tone::kWarn);
+        column.addWidget(findingCard(finding, toneOf(finding)));
 }
 
 void showErrorCard(QBoxLayout& column, const Error& error) {
-    clearCards(column);
+    clearWidgets(column);
     column.addWidget(new ProblemCard(Tone::kError, coreWords(error.message), coreWords(error.remedy + ".")));
 }
 

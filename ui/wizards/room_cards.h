@@ -11,7 +11,6 @@ namespace noctule::ui {
 
 enum class SurveyStage { kWalking, kDone };
 
-void clearCards(QBoxLayout& column);
 void showAnchorCards(QBoxLayout& column, const SurveyedTake& surveyed, SurveyStage stage);
 /// While somebody walks the worst alone: most of it mends itself.
 void showFindingCards(QBoxLayout& column, const SurveyedTake& surveyed, SurveyStage stage);

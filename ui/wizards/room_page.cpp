@@ -208,8 +208,8 @@ void RoomPage::followRun() {
 
 void RoomPage::refresh() {
     words_->clear();
-    clearCards(*findings_);
-    clearCards(*anchors_);
+    clearWidgets(*findings_);
+    clearWidgets(*anchors_);
     refreshButtons();
     refreshPictures();
     if (walk_->isRunning())

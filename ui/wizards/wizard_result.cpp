@@ -86,10 +86,7 @@ CalibrationDocument WizardResult::named(CalibrationDocument document, const Part
 }
 
 void WizardResult::setDocument(const CalibrationDocument& document, const PartNames& names) {
-    while (QLayoutItem* item = content_->takeAt(1)) {
-        delete item->widget();
-        delete item;
-    }
+    clearWidgets(*content_, 1);
     fill(named(document, names));
     scroll_->verticalScrollBar()->setValue(0);
 }

@@ -83,10 +83,7 @@ void ExportResultsPanel::clear() {
 }
 
 void ExportResultsPanel::showCards(const ExportResults& latest) {
-    while (QLayoutItem* item = cards_column_->takeAt(0)) {
-        delete item->widget();
-        delete item;
-    }
+    clearWidgets(*cards_column_);
     for (size_t i = 0; i < latest.outcomes.size(); ++i)
         cards_column_->addWidget(makeCard(latest.outcomes[i], i == 0));
     if (!earlier_.empty())
