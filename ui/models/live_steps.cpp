@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/models/live_steps.h"
 
+#include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <thread>
+
+#include "ui/language/core_words.h"
+#include "ui/models/live_suit.h"
 
 namespace noctule::ui {
 namespace {
@@ -21,9 +26,14 @@ void waitUntil(std::chrono::seconds timeout, const JobContext& job, Condition co
 
 /// The file of a take that never came to be.
 void dropEmptyTake(const StreamResult& result) {
-    std::error_code ignored;
     if (result.recording && result.recording->samples == 0)
-        std::filesystem::remove(result.recording->path, ignored);
+        discardTakeFile(result.recording->path);
+}
+
+bool isEmpty(const RecordReport& part) {
+    constexpr double kLeast_s = 0.05;  // lists show it as 0.0 s
+    return !part.stream.recording ||
+           static_cast<double>(part.stream.recording->samples) < kLeast_s * part.sample_rate_hz;
 }
 
 }  // namespace
@@ -49,6 +59,32 @@ std::optional<Error> beginStream(LiveSession& session, const StreamRequest& requ
     dropEmptyTake(session.finish());
     return status->trouble.value_or(Error{ErrorKind::kDevice, "The driver box sends no sound",
                                           "Switch it off and on again, then look again"});
+}
+
+TakeEnd endOfTake(const std::vector<RecordReport>& parts, bool unasked) {
+    TakeEnd end;
+    std::string path;
+    std::optional<Error> of_recorder, of_device;
+    for (const RecordReport& part : parts) {
+        if (part.stream.recording) {
+            path = part.stream.recording->path;
+            if (part.stream.recording->trouble)
+                of_recorder = part.stream.recording->trouble;
+        }
+        if (unasked && !of_device)
+            of_device = part.stream.trouble;
+    }
+    if (of_recorder || of_device)
+        end.trouble = coreWords(of_recorder ? *of_recorder : *of_device);
+    end.path = QString::fromStdString(path);
+    if (path.empty() || !of_recorder || !std::ranges::all_of(parts, isEmpty))
+        return end;
+    discardTakeFile(path);
+    std::error_code ignored;
+    end.is_empty = !std::filesystem::exists(path, ignored);
+    if (end.is_empty)
+        end.trouble += QStringLiteral(". ") + LiveSuit::tr("Nothing was recorded, and the take was removed.");
+    return end;
 }
 
 }  // namespace noctule::ui

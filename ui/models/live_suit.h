@@ -112,8 +112,6 @@ public:
     /// Keeps what was seen just now; evidenceRecorded() comes when it is on disk. In words why not, else
     /// empty.
     QString keepEvidence(const EvidencePlan& plan);
-    /// True, and the file is gone, when it ended by itself before anything was recorded.
-    static bool removeWhenEmpty(const RecorderState& recorded, int sample_rate_hz);
     /// Second of the take that it stands at.
     double addMarker(const QString& label);
     void addNote(const QString& text);
@@ -180,7 +178,7 @@ private:
     void begun(bool of_take, const std::optional<Error>& trouble);
     Phase phaseWithoutTake() const;
     void endTake();
-    void ended(const StreamResult& result);
+    void ended(const StreamResult& result, bool unasked);
     void release();
 
     Jobs& jobs_;

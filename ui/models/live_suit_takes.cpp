@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Streams of the connected suit: those that are only looked at, and takes.
-#include <QFile>
 #include <QFileInfo>
 #include <QPointer>
 #include <algorithm>
@@ -264,39 +263,23 @@ void LiveSuit::endTake() {
                 return {};
             if (!result)
                 result = StreamResult{{}, {}, {}, {}, result.error()};
-            if (!unasked)
-                result->trouble.reset();
-            self->ended(*result);
+            self->ended(*result, unasked);
             return {};
         },
         Jobs::Loudness::kQuiet);
 }
 
-bool LiveSuit::removeWhenEmpty(const RecorderState& recorded, int sample_rate_hz) {
-    constexpr double kLeast_s = 0.05;  // lists show it as 0.0 s
-    if (!recorded.trouble || static_cast<double>(recorded.samples) >= kLeast_s * sample_rate_hz)
-        return false;
-    for (const char* part : {"", "-wal", "-shm"})
-        QFile::remove(QString::fromStdString(recorded.path + part));
-    return !QFile::exists(QString::fromStdString(recorded.path));
-}
-
-void LiveSuit::ended(const StreamResult& result) {
+void LiveSuit::ended(const StreamResult& result, bool unasked) {
     working_ = false;
-    std::optional<Error> trouble = result.trouble;
-    bool is_empty = false;
-    if (result.recording) {
+    const auto hello = status()->hello;
+    const TakeEnd end = endOfTake({{result, {}, hello ? hello->sample_rate_hz : 0}}, unasked);
+    if (result.recording)
         recorded_ = result.recording;
-        if (result.recording->trouble)
-            trouble = result.recording->trouble;
-        const auto hello = status()->hello;
-        is_empty = hello && removeWhenEmpty(*result.recording, hello->sample_rate_hz);
-        if (!is_empty)
-            session_.refresh(wordsOf(result.recording->path));
-    }
+    if (result.recording && !end.is_empty)
+        session_.refresh(end.path);
     for (const std::string& warning : result.warnings)
         emit warned(QStringLiteral("%1: %2").arg(take_name_, coreWords(warning)));
-    if (result.lacks_poses && !is_empty)
+    if (result.lacks_poses && !end.is_empty)
         emit posesMissing(take_name_);
     const QString name = take_name_;
     if (leave_wanted_)
@@ -304,10 +287,7 @@ void LiveSuit::ended(const StreamResult& result) {
     else
         setPhase(phaseWithoutTake());
     since_trouble_.invalidate();
-    QString why = trouble ? coreWords(*trouble) : QString();
-    if (is_empty)
-        why += QStringLiteral(". ") + tr("Nothing was recorded, and the take was removed.");
-    emit recordingEnded(name, why);
+    emit recordingEnded(name, end.trouble);
 }
 
 void LiveSuit::lend() {

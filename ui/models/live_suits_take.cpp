@@ -176,27 +176,19 @@ void LiveSuits::giveBack() {
 
 /// A box that was lost on the way has a warning of its own; what ended the take for all is its trouble.
 void LiveSuits::takeEnded(const GroupReport& report, bool unasked) {
-    std::optional<Error> trouble;
-    QString path;
-    bool can_be_processed = true;
+    const TakeEnd end = endOfTake({report.suits.begin(), report.suits.end()}, unasked);
+    bool can_be_processed = !end.is_empty;
     for (size_t i = 0; i < report.suits.size(); ++i) {
-        const StreamResult& of_suit = report.suits[i].stream;
-        if (of_suit.recording) {
-            path = QString::fromStdString(of_suit.recording->path);
-            if (of_suit.recording->trouble)
-                trouble = of_suit.recording->trouble;
-        }
-        if (unasked && !trouble)
-            trouble = of_suit.trouble;
-        for (const std::string& warning : of_suit.warnings)
+        for (const std::string& warning : report.suits[i].stream.warnings)
             emit warned(QStringLiteral("%1: %2").arg(take_name_, coreWords(warning)));
         can_be_processed = can_be_processed && (report.suits[i].is_room || recorded_[i]->suit.canMoveBody());
     }
-    session_.refresh(path);
+    if (!end.is_empty)
+        session_.refresh(end.path);
     giveBack();
-    emit recordingEnded(take_name_, trouble ? coreWords(*trouble) : QString());
+    emit recordingEnded(take_name_, end.trouble);
     if (can_be_processed && !plan_.is_survey)
-        emit takeOfSeveral(path);
+        emit takeOfSeveral(end.path);
 }
 
 double LiveSuits::recordedSeconds() const {

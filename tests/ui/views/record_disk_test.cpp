@@ -3,6 +3,7 @@
 #include <QFile>
 
 #include "tests/ui/views/record_fixture.h"
+#include "ui/models/live_steps.h"
 
 namespace noctule::ui {
 namespace {
@@ -28,22 +29,41 @@ TEST_F(RecordDisk, OffersNoTakeThatWouldEndAtOnce) {
     EXPECT_FALSE(scarce.is_of_disk);
 }
 
+/// Of one suit, and of two into one file.
 TEST_F(RecordDisk, ATakeThatEndedBeforeAnythingWasRecordedIsRemoved) {
-    RecorderState recorded;
-    recorded.path = folder_.filePath("take_001.noctule").toStdString();
-    const auto isThere = [&] { return QFile::exists(QString::fromStdString(recorded.path)); };
-    QFile file(QString::fromStdString(recorded.path));
-    ASSERT_TRUE(file.open(QFile::WriteOnly));
-    file.close();
-    recorded.samples = 3000;
-    EXPECT_FALSE(LiveSuit::removeWhenEmpty(recorded, 150000)) << "the operator ended it";
-    recorded.trouble = Error{ErrorKind::kDisk, "The disk is full", "Free some space"};
-    recorded.samples = 30000;
-    EXPECT_FALSE(LiveSuit::removeWhenEmpty(recorded, 150000));
-    EXPECT_TRUE(isThere());
-    recorded.samples = 3000;
-    EXPECT_TRUE(LiveSuit::removeWhenEmpty(recorded, 150000));
-    EXPECT_FALSE(isThere());
+    for (const size_t suits : {1, 2}) {
+        RecorderState recorded;
+        recorded.path = folder_.filePath("take_001.noctule").toStdString();
+        const auto isThere = [&] { return QFile::exists(QString::fromStdString(recorded.path)); };
+        QFile file(QString::fromStdString(recorded.path));
+        ASSERT_TRUE(file.open(QFile::WriteOnly));
+        file.close();
+        recorded.samples = 3000;
+        std::vector<RecordReport> parts(suits);
+        for (RecordReport& part : parts) {
+            part.sample_rate_hz = 150000;
+            part.stream.recording = recorded;
+        }
+        EXPECT_FALSE(endOfTake(parts, true).is_empty) << "the operator ended it";
+        RecorderState& last = *parts.back().stream.recording;
+        last.trouble = Error{ErrorKind::kDisk, "The disk is full", "Free some space"};
+        parts.front().stream.recording->samples = 30000;
+        EXPECT_FALSE(endOfTake(parts, true).is_empty) << "something is there of one of them";
+        EXPECT_TRUE(isThere());
+        EXPECT_TRUE(endOfTake(parts, true).trouble.startsWith("The disk is full"));
+        parts.front().stream.recording->samples = 3000;
+        const TakeEnd end = endOfTake(parts, true);
+        EXPECT_TRUE(end.is_empty);
+        EXPECT_TRUE(end.trouble.endsWith("Nothing was recorded, and the take was removed."));
+        EXPECT_FALSE(isThere());
+    }
+}
+
+TEST_F(RecordDisk, WhatADeviceTellsIsTheTroubleOfATakeThatNobodyStopped) {
+    std::vector<RecordReport> parts(2);
+    parts.back().stream.trouble = Error{ErrorKind::kDevice, "The box is gone", "Switch it on"};
+    EXPECT_EQ(endOfTake(parts, false).trouble, "");
+    EXPECT_TRUE(endOfTake(parts, true).trouble.startsWith("The box is gone"));
 }
 
 }  // namespace
