@@ -233,7 +233,11 @@ Result<std::pair<std::string, double>> heightOf(const std::string& word) {
 
 Result<CalibrationResult> solveRoom(const CalibrateRequest& request, const Arguments& arguments,
                                     const JobContext& job) {
-    RoomRequest room{request.take_paths.front(), arguments.text("subject"), {}, request.created_utc};
+    RoomRequest room{request.take_paths.front(),
+                     arguments.text("subject"),
+                     {},
+                     request.created_utc,
+                     arguments.texts("without")};
     for (const std::string& word : arguments.texts("height")) {
         auto height = heightOf(word);
         if (!height)
@@ -389,6 +393,7 @@ Verb calibrateRoomVerb() {
             .needed(),
         text("subject", "NAME", "who walked; the one whom most distances concern when not given"),
         texts("height", "ANCHOR=M", "heights above the floor that were measured, in metres"),
+        texts("without", "ANCHOR", "anchors to leave out, by name or number; three must be left"),
         flag("store", "put the places in force in this take too"),
         reportOption(),
         flag("force", "write the room's file even when it is not usable; it lacks anchors without a place")};

@@ -2,7 +2,9 @@
 #include "core/processing/survey_room.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <set>
 
 #include "core/math/rotation.h"
 #include "core/processing/room_evidence.h"
@@ -18,19 +20,48 @@ namespace {
 /// Misfit of file and survey against the room's size up to which they agree.
 constexpr double kSameRoom = 0.35;
 
-Status addHeights(const RoomRequest& request, room_survey::Evidence& evidence) {
+/// By its id.
+Result<size_t> anchorNamed(const std::string& id, const std::string& option,
+                           const room_survey::Evidence& evidence) {
     std::string names;
-    for (const room_survey::Anchor& anchor : evidence.anchors)
-        names += (names.empty() ? "" : ", ") + anchor.id;
+    for (size_t i = 0; i < evidence.anchors.size(); ++i) {
+        if (evidence.anchors[i].id == id)
+            return i;
+        names += (names.empty() ? "" : ", ") + evidence.anchors[i].id;
+    }
+    return Error{ErrorKind::kUsage, option + " names anchor '" + id + "', which the room does not have",
+                 "Its anchors are " + names};
+}
+
+Status addHeights(const RoomRequest& request, room_survey::Evidence& evidence) {
     for (const auto& [id, height_m] : request.heights_m) {
-        const auto found = std::ranges::find(evidence.anchors, id, &room_survey::Anchor::id);
-        if (found == evidence.anchors.end())
-            return Error{ErrorKind::kUsage,
-                         "--height names anchor '" + id + "', which the room does not have",
-                         "Its anchors are " + names};
-        evidence.heights.push_back({static_cast<int>(found - evidence.anchors.begin()), height_m});
+        const auto anchor = anchorNamed(id, "--height", evidence);
+        if (!anchor)
+            return anchor.error();
+        evidence.heights.push_back({static_cast<int>(*anchor), height_m});
     }
     return Done{};
+}
+
+/// By id or number, each once.
+Result<std::vector<size_t>> leftOut(const RoomRequest& request, const room_survey::Evidence& evidence) {
+    std::set<size_t> anchors;
+    for (const std::string& word : request.without) {
+        size_t number = 0;
+        const char* end = word.data() + word.size();
+        const bool is_number = std::from_chars(word.data(), end, number).ptr == end;
+        const bool is_id =
+            std::ranges::find(evidence.anchors, word, &room_survey::Anchor::id) != evidence.anchors.end();
+        if (is_number && !is_id && number >= 1 && number <= evidence.anchors.size()) {
+            anchors.insert(number - 1);
+            continue;
+        }
+        const auto anchor = anchorNamed(word, "--without", evidence);
+        if (!anchor)
+            return anchor.error();
+        anchors.insert(*anchor);
+    }
+    return std::vector<size_t>(anchors.begin(), anchors.end());
 }
 
 /// By how much the room's file is turned about the vertical against the survey; nothing when both are not
@@ -119,6 +150,18 @@ Result<RoomEvidence> gatherNow(Take& take, const std::string& performer, const J
     return gatherRoom(take, performer, job);
 }
 
+/// What the survey says, as a document and for machines.
+void describe(SurveyedTake& surveyed, const std::string& created_utc, const std::vector<std::string>& takes) {
+    CalibrationResult& result = surveyed.result;
+    result.document = documentOf(surveyed.survey);
+    result.document.created_utc = created_utc;
+    result.document.takes = takes;
+    result.json = toJson(surveyed.survey);
+    result.json["procedure"] = "room";
+    result.json["takes"] = takes;
+    result.json.update(findingsJson(surveyed.survey.findings));
+}
+
 }  // namespace
 
 Result<SurveyedTake> calibrateRoom(const RoomRequest& request, const JobContext& job) {
@@ -130,6 +173,9 @@ Result<SurveyedTake> calibrateRoom(const RoomRequest& request, const JobContext&
         return gathered.error();
     if (Status heights = addHeights(request, gathered->evidence); !heights)
         return heights.error();
+    const auto without = leftOut(request, gathered->evidence);
+    if (!without)
+        return without.error();
     auto survey = room_survey::surveyRoom(gathered->evidence, {}, job);
     if (!survey) {
         Error error = survey.error();
@@ -141,15 +187,32 @@ Result<SurveyedTake> calibrateRoom(const RoomRequest& request, const JobContext&
     CalibrationResult& result = surveyed.result;
     result.room = surveyedRoom(*gathered, *survey, gathered->warnings);
     result.calibration = gathered->room.calibration;
-    result.document = documentOf(*survey);
-    result.document.created_utc = request.created_utc;
-    result.document.takes = {request.take_path};
-    result.json = toJson(*survey);
-    result.json["procedure"] = "room";
-    result.json["takes"] = result.document.takes;
     result.warnings = std::move(gathered->warnings);
-    result.json.update(findingsJson(survey->findings));
     surveyed.survey = std::move(*survey);
+    describe(surveyed, request.created_utc, {request.take_path});
+    return withoutAnchors(std::move(surveyed), *without);
+}
+
+Result<SurveyedTake> withoutAnchors(SurveyedTake surveyed, const std::vector<size_t>& anchors) {
+    if (Status left_out = room_survey::leaveOut(surveyed.survey, anchors); !left_out)
+        return left_out.error();
+    const auto is_out = [&](const std::string& id) {
+        return std::ranges::any_of(surveyed.survey.anchors, [&](const room_survey::SurveyedAnchor& anchor) {
+            return anchor.left_out && anchor.id == id;
+        });
+    };
+    Suit& room = *surveyed.result.room;
+    std::set<std::string> boards, sources;
+    for (const auto& [b, s] : anchorParts(room)) {
+        const std::string board = b >= 0 ? room.boards[static_cast<size_t>(b)].id : std::string();
+        const std::string source = s >= 0 ? room.sources[static_cast<size_t>(s)].id : std::string();
+        if (is_out(b >= 0 ? board : source))
+            boards.insert(board), sources.insert(source);
+    }
+    std::erase_if(room.boards, [&](const Board& board) { return boards.contains(board.id); });
+    std::erase_if(room.sources, [&](const Source& source) { return sources.contains(source.id); });
+    const CalibrationDocument before = surveyed.result.document;
+    describe(surveyed, before.created_utc, before.takes);
     return surveyed;
 }
 

@@ -12,15 +12,19 @@ struct RoomRequest {
     std::string performer;                                  ///< who walked; empty: whom most ranges concern
     std::vector<std::pair<std::string, double>> heights_m;  ///< of anchors by id, as measured
     std::string created_utc;
+    std::vector<std::string> without{};  ///< anchors that are left out, by id or number from 1
 };
 
 struct SurveyedTake {
-    CalibrationResult result;  ///< its `room` has the places found, without anchors that could not be placed
+    CalibrationResult result;  ///< its `room` has the places found of the anchors that are used
     room_survey::RoomSurvey survey;
     Suit before{};  ///< the room as its places are in force in the take
 };
 /// Of a take that is still being recorded, what has been recorded so far.
 Result<SurveyedTake> calibrateRoom(const RoomRequest& request, const JobContext& job);
+
+/// The same without some of its anchors, by index. Fails (kUsage) when too few would be left.
+Result<SurveyedTake> withoutAnchors(SurveyedTake surveyed, const std::vector<size_t>& anchors);
 
 /// Places of anchors, changed by an operator.
 struct RoomChange {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/report/room_document.h"
 
+#include <algorithm>
+
 #include "core/body/text.h"
 
 namespace noctule {
@@ -24,8 +26,8 @@ CalibrationTable anchorTable(const RoomSurvey& survey) {
     for (const SurveyedAnchor& anchor : survey.anchors) {
         std::vector<std::string> row{anchor.id};
         for (Eigen::Index axis = 0; axis < 3; ++axis)
-            row.push_back(anchor.placed ? text::number(anchor.place_m[axis], 3) : "–");
-        row.push_back(anchor.placed ? inMillimetres(anchor.sigma_m) : "–");
+            row.push_back(anchor.isUsed() ? text::number(anchor.place_m[axis], 3) : "–");
+        row.push_back(anchor.isUsed() ? inMillimetres(anchor.sigma_m) : "–");
         row.push_back(std::to_string(anchor.heard) + " of " + std::to_string(anchor.sent));
         row.push_back(std::to_string(anchor.ranges));
         table.rows.push_back(std::move(row));
@@ -59,13 +61,16 @@ std::string frameSentence(const RoomSurvey& survey) {
 CalibrationDocument documentOf(const RoomSurvey& survey) {
     size_t placed = 0;
     for (const SurveyedAnchor& anchor : survey.anchors)
-        placed += anchor.placed;
+        placed += anchor.isUsed();
+    const auto left_out = std::ranges::count_if(survey.anchors, &SurveyedAnchor::left_out);
     const auto grade = [](bool good) { return good ? Grade::kGood : Grade::kUsable; };
     CalibrationDocument found;
     found.procedure = "Room";
     found.summary = std::to_string(placed) + " of " + std::to_string(survey.anchors.size()) +
                     " anchors are placed, the weakest to ±" + inMillimetres(survey.worstSigma_m()) + " mm. " +
                     frameSentence(survey);
+    if (left_out > 0)
+        found.summary += ". Anchors left out: " + std::to_string(left_out);
     found.findings = survey.findings;
     found.tables = {anchorTable(survey), distanceTable(survey)};
     found.numbers = {{inMillimetres(survey.worstSigma_m()) + " mm", "sigma of the weakest anchor",
@@ -93,6 +98,7 @@ nlohmann::json toJson(const RoomSurvey& survey) {
         nlohmann::json one{
             {"id", anchor.id},
             {"placed", anchor.placed},
+            {"left_out", anchor.left_out},
             {"sent", anchor.sent},
             {"heard", anchor.heard},
             {"ranges", anchor.ranges},

@@ -331,8 +331,29 @@ private:
 double RoomSurvey::worstSigma_m() const {
     double worst_m = 0;
     for (const SurveyedAnchor& anchor : anchors)
-        worst_m = std::max(worst_m, anchor.sigma_m);
+        worst_m = std::max(worst_m, anchor.left_out ? 0 : anchor.sigma_m);
     return worst_m;
+}
+
+bool canLeaveOut(const RoomSurvey& survey, size_t anchor) {
+    const auto used = std::ranges::count_if(survey.anchors, &SurveyedAnchor::isUsed);
+    return used - survey.anchors[anchor].isUsed() >= std::ptrdiff_t{kFewestAnchors};
+}
+
+Status leaveOut(RoomSurvey& survey, const std::vector<size_t>& anchors) {
+    for (const size_t index : anchors) {
+        SurveyedAnchor& anchor = survey.anchors[index];
+        if (!canLeaveOut(survey, index))
+            return Error{ErrorKind::kUsage,
+                         "Without anchor " + anchor.id + " fewer than three anchors would have a place",
+                         "Use it, or walk once more past the others"};
+        anchor.left_out = true;
+        std::erase_if(survey.findings, [&](const Finding& finding) { return finding.part == anchor.id; });
+        std::erase_if(survey.distances, [index](const SurveyedDistance& one) {
+            return one.a == static_cast<int>(index) || one.b == static_cast<int>(index);
+        });
+    }
+    return Done{};
 }
 
 Result<RoomSurvey> surveyRoom(const Evidence& evidence, const FitSettings& settings, const JobContext& job) {

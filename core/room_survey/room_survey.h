@@ -30,7 +30,9 @@ struct SurveyedAnchor {
     std::vector<int> hears, hears_not;
     bool mirrored = false;
     std::optional<AnchorMove> moved{};
+    bool left_out = false;  ///< by the operator: it is not used
 
+    bool isUsed() const { return placed && !left_out; }
     double heardShare() const { return sent > 0 ? static_cast<double>(heard) / sent : 0; }
 };
 
@@ -66,6 +68,12 @@ struct RoomSurvey {
 /// Fails (kUnusable) when there is nothing to survey: fewer than three anchors, anchors that neither sound
 /// nor were walked past, too few ranges. Whatever can be surveyed yields a result with findings.
 Result<RoomSurvey> surveyRoom(const Evidence& evidence, const FitSettings& settings, const JobContext& job);
+
+/// Whether enough anchors are used without it.
+bool canLeaveOut(const RoomSurvey& survey, size_t anchor);
+/// Leaves out anchors that the operator does without: what is said of them and their distances go, their
+/// places stay. Fails (kUsage) when too few would be used.
+Status leaveOut(RoomSurvey& survey, const std::vector<size_t>& anchors);
 
 /// What is said of it; in survey_findings.cpp.
 std::vector<Finding> findingsOf(const RoomSurvey& survey, const Evidence& evidence);

@@ -4296,6 +4296,10 @@
         <translation>%1, geführt von %2, %3: %4 Befehle, davon %5 folgend, %6 Zustände</translation>
     </message>
     <message>
+        <source>%1 names anchor '%2', which the room does not have</source>
+        <translation>%1 nennt den Anker „%2“, den der Raum nicht hat</translation>
+    </message>
+    <message>
         <source>%1 neither hears anybody nor is heard after %2: out of reach, or its box was lost. From there on the others are estimated without it.</source>
         <translation>%1 hört ab %2 niemanden mehr und wird nicht gehört: außer Reichweite, oder die Box ist verloren. Von da an werden die anderen ohne sie geschätzt.</translation>
     </message>
@@ -6383,6 +6387,10 @@
     <message>
         <source>, root given</source>
         <translation>, Wurzel gegeben</translation>
+    </message>
+    <message>
+        <source>. Anchors left out: %1</source>
+        <translation>. Weggelassene Anker: %1</translation>
     </message>
     <message>
         <source>1, good from 0.5</source>
@@ -8589,6 +8597,10 @@
         <translation>Die Einmessung kam zu keinem Ende</translation>
     </message>
     <message>
+        <source>Use it, or walk once more past the others</source>
+        <translation>Diesen verwenden oder noch einmal an den anderen vorbeigehen</translation>
+    </message>
+    <message>
         <source>Walk more widely and turn, or measure heights of anchors (--height)</source>
         <translation>Weiter umhergehen und sich drehen, oder Höhen von Ankern messen (--height)</translation>
     </message>
@@ -8603,6 +8615,10 @@
     <message>
         <source>Wear a suit whose boards and sources share housings, or join the boxes with a sync cable</source>
         <translation>Tragen Sie einen Anzug, bei dem Platinen und Quellen Gehäuse teilen, oder verbinden Sie die Boxen mit einem Synchronkabel</translation>
+    </message>
+    <message>
+        <source>Without anchor %1 fewer than three anchors would have a place</source>
+        <translation>Ohne Anker %1 hätten weniger als drei Anker einen Platz</translation>
     </message>
 </context>
 <context>

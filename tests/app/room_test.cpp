@@ -110,6 +110,20 @@ TEST(RoomProgram, TheRoomsFileIsARoomsFile) {
                   {"--height", "'high'"});
     expectRefusal({"calibrate", "room", walk.take(), "--out", walk.file("r.json"), "--subject", "Bob"}, 2,
                   {"Bob", "Its subjects are A"});
+    const std::string three = walk.file("three.json");
+    const Ran without =
+        batch({"calibrate", "room", walk.take(), "--out", three, "--force", "--without", "2", "--json"});
+    ASSERT_EQ(without.exit_code, 0) << without.err;
+    EXPECT_EQ(without.json()["anchors"][1]["left_out"], true);
+    ASSERT_EQ(parsed(three)["sources"].size(), 3U);
+    for (const auto& source : parsed(three)["sources"])
+        EXPECT_NE(source["id"], "ceiling_2");
+    EXPECT_EQ(parsed(room)["sources"].size(), 4U);
+    expectRefusal({"calibrate", "room", walk.take(), "--out", walk.file("r.json"), "--without", "9"}, 2,
+                  {"--without", "'9'", "ceiling_1, ceiling_2"});
+    expectRefusal({"calibrate", "room", walk.take(), "--out", walk.file("r.json"), "--without", "ceiling_1",
+                   "--without", "ceiling_2"},
+                  2, {"fewer than three"});
     expectRefusal({"attach", walk.take(), "--room", kTransceivers}, 2, {"none of its anchors"});
     expectRefusal({"attach", walk.take()}, 2, {"--reference", "--room"});
 }

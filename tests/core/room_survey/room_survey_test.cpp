@@ -132,6 +132,35 @@ TEST(RoomSurvey, AnAnchorThatNobodyHeardIsNamed) {
     EXPECT_EQ(survey->findings.front().what, "Anchor anchor_3 was never heard");
 }
 
+TEST(RoomSurvey, AnAnchorThatIsLeftOutBlocksNothingAndThreeMustStay) {
+    WalkedRoom room;
+    room.deaf = {2};
+    auto survey = surveyed(evidenceOf(room, 5));
+    ASSERT_TRUE(survey.ok());
+    ASSERT_EQ(gradeOf(survey->findings), Grade::kNotUsable);
+    EXPECT_TRUE(canLeaveOut(*survey, 2)) << "the other three have places";
+    EXPECT_FALSE(canLeaveOut(*survey, 0));
+    const Status too_few = leaveOut(*survey, {0});
+    ASSERT_FALSE(too_few);
+    EXPECT_NE(too_few.error().message.find("anchor_1"), std::string::npos);
+    EXPECT_FALSE(survey->anchors[0].left_out);
+
+    ASSERT_TRUE(leaveOut(*survey, {2}));
+    EXPECT_TRUE(survey->anchors[2].left_out);
+    EXPECT_EQ(std::ranges::count(survey->findings, std::string("anchor_3"), &Finding::part), 0);
+    EXPECT_NE(gradeOf(survey->findings), Grade::kNotUsable);
+}
+
+TEST(RoomSurvey, WhatIsLeftOutCountsNowhere) {
+    auto survey = surveyed(evidenceOf({}, 5));
+    ASSERT_TRUE(survey.ok());
+    survey->anchors[3].sigma_m = 0.2;
+    ASSERT_TRUE(leaveOut(*survey, {3}));
+    EXPECT_LT(survey->worstSigma_m(), 0.05);
+    EXPECT_TRUE(survey->anchors[3].placed) << "it can be shown, and taken back in";
+    EXPECT_EQ(survey->distances.size(), 3U);
+}
+
 TEST(RoomSurvey, AMovedAnchorIsNamedAndDoesNotSpoilTheOthers) {
     for (const int moved : {0, 3})
         for (const Vector3d& by_m : {Vector3d(0.3, 0, 0), Vector3d(0, -0.15, 0.1)}) {
