@@ -9323,6 +9323,10 @@ Median; gut: unter %1</translation>
         <translation>wurde verschoben</translation>
     </message>
     <message>
+        <source>left out</source>
+        <translation>weggelassen</translation>
+    </message>
+    <message>
         <source>not placed</source>
         <translation>ohne Ort</translation>
     </message>
@@ -9349,6 +9353,10 @@ Median; gut: unter %1</translation>
     <message>
         <source>anchor %1 at %2, %3, height %4</source>
         <translation>Anker %1 bei %2, %3, Höhe %4</translation>
+    </message>
+    <message>
+        <source>anchor %1, left out, at %2, %3, height %4</source>
+        <translation>Anker %1, weggelassen, bei %2, %3, Höhe %4</translation>
     </message>
     <message>
         <source>%1 m</source>
@@ -9626,6 +9634,33 @@ Median; gut: unter %1</translation>
         <source>The walk ended by itself</source>
         <translation>Der Gang endete von selbst</translation>
     </message>
+    <message numerus="yes">
+        <source>Without anchor %1: the file lacks it, and in this take its place stays as it was.</source>
+        <translation>
+            <numerusform>Ohne Anker %1: Er fehlt in der Datei, und in dieser Aufnahme bleibt sein Platz, wie er war.</numerusform>
+            <numerusform>Ohne die Anker %1: Sie fehlen in der Datei, und in dieser Aufnahme bleiben ihre Plätze, wie sie waren.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Use anchor %1 again</source>
+        <translation>Anker %1 wieder verwenden</translation>
+    </message>
+    <message>
+        <source>Use without anchor %1</source>
+        <translation>Ohne Anker %1 verwenden</translation>
+    </message>
+    <message>
+        <source>Mend this, then walk once more.</source>
+        <translation>Beheben Sie das und gehen Sie dann noch einmal.</translation>
+    </message>
+    <message>
+        <source>Its take is %1: open it to survey the room from it.</source>
+        <translation>Die Aufnahme davon ist %1: Öffnen Sie sie, um den Raum daraus zu vermessen.</translation>
+    </message>
+    <message>
+        <source>The walk brought no take</source>
+        <translation>Der Gang ergab keine Aufnahme</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::RoomRun</name>
@@ -9636,6 +9671,10 @@ Median; gut: unter %1</translation>
     <message>
         <source>Surveying the room of %1</source>
         <translation>Den Raum von %1 vermessen</translation>
+    </message>
+    <message>
+        <source>A room needs three anchors that have a place.</source>
+        <translation>Ein Raum braucht drei Anker, die einen Platz haben.</translation>
     </message>
 </context>
 <context>

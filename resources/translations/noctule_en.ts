@@ -566,6 +566,13 @@
             <numerusform>Not good yet: anchors %1. Walk slowly past, and turn.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Without anchor %1: the file lacks it, and in this take its place stays as it was.</source>
+        <translation>
+            <numerusform>Without anchor %1: the file lacks it, and in this take its place stays as it was.</numerusform>
+            <numerusform>Without anchors %1: the file lacks them, and in this take their places stay as they were.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::SessionModel</name>

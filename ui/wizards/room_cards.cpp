@@ -7,6 +7,7 @@
 #include "ui/style/words.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/bar_meter.h"
+#include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/icon_label.h"
 #include "ui/widgets/label.h"
@@ -44,7 +45,34 @@ QString countOf(const RoomSurvey& survey, SurveyStage stage) {
     return list.join(", ");
 }
 
-QWidget* anchorCard(const RoomSurvey& survey, size_t index, SurveyStage stage) {
+Ink inkFor(Tone tone) {
+    switch (tone) {
+        case Tone::kOk:
+            return Ink::kOk;
+        case Tone::kWarn:
+            return Ink::kWarn;
+        case Tone::kError:
+            return Ink::kError;
+        default:
+            return Ink::kHint;
+    }
+}
+
+Button* choiceButton(size_t index, bool is_out, const AnchorChoice& choice) {
+    const QString number = QString::number(index + 1);
+    Button* button =
+        makeButton(ButtonKind::kText, is_out ? RoomPage::tr("Use anchor %1 again").arg(number)
+                                             : RoomPage::tr("Use without anchor %1").arg(number));
+    button->setFlush(true);
+    button->setDisabledBecause(is_out ? QString() : choice.why_not_without(index));
+    // Later: the cards are made anew, this button with them.
+    QObject::connect(
+        button, &QPushButton::clicked, button,
+        [choose = choice.choose, index, is_out] { choose(index, !is_out); }, Qt::QueuedConnection);
+    return button;
+}
+
+Card* anchorCard(const RoomSurvey& survey, size_t index, SurveyStage stage, const AnchorChoice* choice) {
     const SurveyedAnchor& anchor = survey.anchors[index];
     const AnchorState state = stateIn(stage, anchor);
     auto* card = new Card;
@@ -54,7 +82,7 @@ QWidget* anchorCard(const RoomSurvey& survey, size_t index, SurveyStage stage) {
                               Ink::kValue, true));
     head->addWidget(new Label(QString::fromStdString(anchor.id), TextRole::kSecondary, Ink::kHint));
     head->addStretch();
-    const Ink ink = state.tone == Tone::kOk ? Ink::kOk : state.tone == Tone::kWarn ? Ink::kWarn : Ink::kError;
+    const Ink ink = inkFor(state.tone);
     head->addWidget(new IconLabel(iconOf(state.tone), [ink] { return colorOf(ink); }));
     head->addWidget(new Label(state.words, TextRole::kSecondary, ink, true));
     auto* numbers = addRow(column, 8);
@@ -77,17 +105,20 @@ QWidget* anchorCard(const RoomSurvey& survey, size_t index, SurveyStage stage) {
         column->addWidget(
             new Label(RoomPage::tr("hears anchor %1", nullptr, int(hears.size())).arg(hears.join(", ")),
                       TextRole::kSecondary, Ink::kHint));
+    if (choice)
+        column->addWidget(choiceButton(index, anchor.left_out, *choice), 0, Qt::AlignLeft);
     return card;
 }
 
 }  // namespace
 
-void showAnchorCards(QBoxLayout& column, const SurveyedTake& surveyed, SurveyStage stage) {
+void showAnchorCards(QBoxLayout& column, const SurveyedTake& surveyed, SurveyStage stage,
+                     const AnchorChoice* choice) {
     clearWidgets(column);
     const RoomSurvey& survey = surveyed.survey;
     column.addWidget(new SectionHeader(RoomPage::tr("Anchors"), countOf(survey, stage)));
     for (size_t i = 0; i < survey.anchors.size(); ++i)
-        column.addWidget(anchorCard(survey, i, stage));
+        column.addWidget(anchorCard(survey, i, stage, choice));
     const auto& tables = surveyed.result.document.tables;
     if (!survey.distances.empty() && !tables.empty())
         column.addWidget(new CalibrationTableCard(tables.back()));

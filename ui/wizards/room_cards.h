@@ -3,6 +3,9 @@
 // function fills a column anew.
 #pragma once
 
+#include <QString>
+#include <functional>
+
 #include "core/processing/survey_room.h"
 
 class QBoxLayout;
@@ -11,7 +14,14 @@ namespace noctule::ui {
 
 enum class SurveyStage { kWalking, kDone };
 
-void showAnchorCards(QBoxLayout& column, const SurveyedTake& surveyed, SurveyStage stage);
+/// Which anchors are used, where that can be chosen.
+struct AnchorChoice {
+    std::function<QString(size_t anchor)> why_not_without;  ///< empty: it can be left out
+    std::function<void(size_t anchor, bool is_without)> choose;
+};
+/// `choice` null: nothing can be chosen.
+void showAnchorCards(QBoxLayout& column, const SurveyedTake& surveyed, SurveyStage stage,
+                     const AnchorChoice* choice = nullptr);
 /// While somebody walks the worst alone: most of it mends itself.
 void showFindingCards(QBoxLayout& column, const SurveyedTake& surveyed, SurveyStage stage);
 /// Nothing was found at all.

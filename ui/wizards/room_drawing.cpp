@@ -22,11 +22,14 @@ constexpr double kLarger[] = {50, 20, 10, 5, 2, 1};
 constexpr double kSeen_m = 0.8;
 constexpr double kAround_m = 0.5, kLeast_m = 2, kPerson_m = 1.75;
 constexpr double kNearlyGood_m = 1.5 * room_survey::kGoodAnchor_m;
+constexpr double kFaded = 0.4;  ///< opacity of an anchor that is left out
 constexpr int kPlanHead = 36, kPlanFoot = 32, kAnchor = 20;
 
 }  // namespace
 
 AnchorState stateOf(const SurveyedAnchor& anchor) {
+    if (anchor.left_out)
+        return {Tone::kNeutral, RoomDrawing::tr("left out")};
     if (anchor.moved)
         return {Tone::kError, RoomDrawing::tr("was moved")};
     if (!anchor.placed)
@@ -60,7 +63,7 @@ void RoomDrawing::show(const RoomSurvey* survey, int performer) {
     double widest_m = 0;
     if (survey_)
         for (const SurveyedAnchor& anchor : survey_->anchors)
-            widest_m = std::max(widest_m, anchor.placed ? anchor.sigma_m : 0);
+            widest_m = std::max(widest_m, anchor.isUsed() ? anchor.sigma_m : 0);
     const auto* fits =
         std::ranges::find_if(kLarger, [&](double larger) { return larger * widest_m <= kSeen_m; });
     larger_ = fits == std::end(kLarger) ? 1 : *fits;
@@ -69,7 +72,8 @@ void RoomDrawing::show(const RoomSurvey* survey, int performer) {
     QStringList places;
     for (size_t i = 0; survey_ && i < survey_->anchors.size(); ++i)
         if (const SurveyedAnchor& anchor = survey_->anchors[i]; anchor.placed)
-            places << tr("anchor %1 at %2, %3, height %4")
+            places << (anchor.left_out ? tr("anchor %1, left out, at %2, %3, height %4")
+                                       : tr("anchor %1 at %2, %3, height %4"))
                           .arg(QString::number(i + 1), metresText(anchor.place_m.x()),
                                metresText(anchor.place_m.z()), metresText(anchor.place_m.y()));
     setAccessibleName(places.isEmpty() ? name : QStringLiteral("%1: %2").arg(name, places.join("; ")));
@@ -175,7 +179,7 @@ void RoomDrawing::paintHearing(QPainter& painter, const Scale& scale) const {
 
 void RoomDrawing::paintUncertainty(QPainter& painter, const Scale& scale, size_t index) const {
     const SurveyedAnchor& anchor = survey_->anchors[index];
-    if (!anchor.placed)
+    if (!anchor.isUsed())
         return;
     const Eigensystem axes = eigensystemOf(flatCovariance(anchor.cov_m2));
     const Eigen::Vector2d radii = larger_ * scale.pixels_per_m * axes.values.cwiseMax(0).cwiseSqrt();
@@ -200,6 +204,7 @@ void RoomDrawing::paintAnchor(QPainter& painter, const Scale& scale, size_t inde
     const Tone tone = stateOf(anchor).tone;
     const QColor color = colorOf(tone);
     const QPointF middle = at(scale, flat(anchor.place_m));
+    painter.setOpacity(anchor.left_out ? kFaded : 1);
     if (from_ == From::kFront) {
         painter.setPen(QPen(theme.tokens().edge, theme.px(1.5)));
         painter.drawLine(middle, at(scale, {anchor.place_m.x(), 0}));
@@ -210,7 +215,8 @@ void RoomDrawing::paintAnchor(QPainter& painter, const Scale& scale, size_t inde
     painter.setFont(theme.font(TextRole::kCaption, true));
     painter.setPen(color);
     painter.drawText(box, Qt::AlignCenter, QString::number(index + 1));
-    const QString words = from_ == From::kAbove
+    const QString words = anchor.left_out ? stateOf(anchor).words
+                          : from_ == From::kAbove
                               ? QStringLiteral("±%1").arg(millimetresText(anchor.sigma_m, 0))
                               : metresText(anchor.place_m.y());
     painter.setFont(theme.font(TextRole::kCaption));
@@ -230,6 +236,7 @@ void RoomDrawing::paintAnchor(QPainter& painter, const Scale& scale, size_t inde
     }
     taken.push_back(place);
     painter.drawText(place, Qt::AlignCenter | Qt::TextDontClip, words);
+    painter.setOpacity(1);
 }
 
 void RoomDrawing::paintPerformer(QPainter& painter, const Scale& scale) const {

@@ -7,14 +7,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "ui/language/core_words.h"
 #include "ui/style/words.h"
 #include "ui/views/job_progress.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/empty_state.h"
 #include "ui/widgets/label.h"
-#include "ui/widgets/problem_card.h"
 #include "ui/widgets/scroll_area.h"
 #include "ui/wizards/hold_ring.h"
 #include "ui/wizards/measure_meter.h"
@@ -117,6 +115,9 @@ QWidget* RoomPage::makeCentre() {
     auto* column = makeColumn(centre, {24, 16, 24, 16}, 12);
     column->addWidget(lead_->wrapped());
     column->addWidget(headline_->wrapped());
+    auto* trouble = new QWidget;
+    walk_trouble_ = makeColumn(trouble);
+    column->addWidget(trouble);
     column->addWidget(progress_);
     column->addWidget(empty_, 1);
     column->addWidget(makeWalk());
@@ -175,29 +176,6 @@ void RoomPage::leave() {
     walk_->end();
 }
 
-void RoomPage::pressWalk() {
-    if (walk_->isRunning())
-        return walk_->end();
-    follows_walk_ = true;
-    opens_walked_ = false;
-    walked_.clear();
-    walk_->begin();
-    if (!walk_->isRunning())
-        emit studio_.failed(tr("The walk did not begin"), walk_->trouble(), About::kCapture);
-}
-
-/// Its take becomes the one that is open; followRun() has it surveyed then.
-void RoomPage::openWalked(const QString& take) {
-    SessionModel& session = studio_.session();
-    const int index = session.isOpen() ? session.session().findTake(take.toStdString()) : -1;
-    if (!follows_walk_ || index < 0)
-        return;
-    walked_ = session.takePath(index);
-    opens_walked_ = true;
-    session.setCurrentTake(index);
-    refresh();
-}
-
 void RoomPage::followRun() {
     // Whatever take was opened, the walk's is no longer waited for.
     const bool opened_walked = studio_.take().isOpen() && std::exchange(opens_walked_, false);
@@ -208,6 +186,7 @@ void RoomPage::followRun() {
 
 void RoomPage::refresh() {
     words_->clear();
+    clearWidgets(*walk_trouble_);
     clearWidgets(*findings_);
     clearWidgets(*anchors_);
     refreshButtons();
@@ -216,6 +195,7 @@ void RoomPage::refresh() {
         showWalk();
     else
         showRun();
+    walk_trouble_->parentWidget()->setVisible(walk_trouble_->count() > 0);
     refreshReadiness();
 }
 
@@ -273,65 +253,6 @@ void RoomPage::refreshPictures() {
         part->setVisible(is_drawn);
 }
 
-void RoomPage::showWalk() {
-    switch (walk_->phase()) {
-        case RoomWalk::Phase::kStarting:
-            headline_->setText(tr("The recording begins"));
-            break;
-        case RoomWalk::Phase::kStanding:
-            headline_->setText(tr("Stand still in the rest pose"));
-            break;
-        case RoomWalk::Phase::kSaving:
-            headline_->setText(tr("The take is being saved"));
-            break;
-        default:
-            headline_->setText(tr("Walk slowly past all %n anchor(s)", nullptr, walk_->anchorCount()));
-            break;
-    }
-    walk_words_->setText(walkWords());
-    const QString caution = walk_->caution();
-    words_->setText(caution.isEmpty() ? tr("What was recorded is kept as a take when you leave.") : caution);
-    if (const SurveyedTake* found = walk_->found()) {
-        note_->setText(tr("Nobody has to measure: places come from what the anchors and the suit hear."));
-        showSurvey(*found, SurveyStage::kWalking);
-    }
-    showTime();
-}
-
-void RoomPage::showTime() {
-    if (!walk_->isRunning())
-        return;
-    const double seconds = walk_->seconds(), usual_s = walk_->times().usual_s;
-    const int now = static_cast<int>(seconds);
-    lead_->setText(seconds <= usual_s ? tr("Survey, %1 of %2 s").arg(now).arg(static_cast<int>(usual_s))
-                                      : tr("Survey, %1 s").arg(now));
-    const bool is_good = walk_->found() && RoomWalk::isEnough(walk_->found()->survey);
-    ring_->show(std::min(1.0, seconds / usual_s), usual_s, is_good ? Tone::kOk : Tone::kAccent);
-}
-
-/// What to do now.
-QString RoomPage::walkWords() const {
-    if (walk_->phase() == RoomWalk::Phase::kStanding)
-        return tr(
-            "In the middle, in sight of all anchors. The origin becomes where you stand, forward is "
-            "where you face.");
-    if (walk_->phase() != RoomWalk::Phase::kWalking)
-        return {};
-    if (walk_->hindrance())
-        return tr("Nothing is found yet: %1").arg(coreWords(*walk_->hindrance()));
-    if (!walk_->found())
-        return tr("The first places come after some seconds of walking.");
-    QStringList missing;
-    const auto& anchors = walk_->found()->survey.anchors;
-    for (size_t i = 0; i < anchors.size(); ++i)
-        if (stateOf(anchors[i]).tone != Tone::kOk)
-            missing << QString::number(i + 1);
-    if (missing.isEmpty())
-        return tr("Every anchor is good. Walk on until the survey ends by itself.");
-    return tr("Not good yet: anchor %1. Walk slowly past, and turn.", nullptr, int(missing.size()))
-        .arg(missing.join(", "));
-}
-
 void RoomPage::showRun() {
     using enum RoomRun::Phase;
     const RoomRun::Phase phase = run_->phase();
@@ -355,10 +276,7 @@ void RoomPage::showRun() {
             showResult();
             break;
     }
-    const bool is_walked = phase == kResult || phase == kFailed;
-    if (is_walked && studio_.take().path() == walked_ && !walk_->trouble().isEmpty())
-        findings_->insertWidget(
-            0, new ProblemCard(Tone::kWarn, tr("The walk ended by itself"), walk_->trouble()));
+    showWalkTrouble();
 }
 
 int RoomPage::letterOf(const std::string& performer) const {
@@ -379,8 +297,13 @@ void RoomPage::showSurvey(const SurveyedTake& found, SurveyStage stage) {
     plan_->show(&found.survey, performer);
     front_->show(&found.survey, performer);
     showFindingCards(*findings_, found, stage);
-    showAnchorCards(*anchors_, found, stage);
-    const auto weakest = std::ranges::min_element(found.survey.anchors, {}, &SurveyedAnchor::heardShare);
+    const AnchorChoice choice{
+        [this](size_t anchor) { return run_->whyNotWithout(anchor); },
+        [this](size_t anchor, bool is_without) { run_->setWithout(anchor, is_without); }};
+    showAnchorCards(*anchors_, found, stage, stage == SurveyStage::kDone ? &choice : nullptr);
+    const auto weakest = std::ranges::min_element(found.survey.anchors, {}, [](const SurveyedAnchor& anchor) {
+        return std::pair(anchor.left_out, anchor.heardShare());
+    });
     if (weakest != found.survey.anchors.end())
         heard_->setMeasure({tr("Anchors heard"),
                             tr("the weakest: %1 of %2").arg(weakest->heard).arg(weakest->sent),
@@ -418,6 +341,16 @@ void RoomPage::showResult() {
             tr("The places come into force in %1. Other takes and the box itself get them from the "
                "file.")
                 .arg(run_->takeName()));
+    QStringList left_out;
+    for (size_t i = 0; i < found.survey.anchors.size(); ++i)
+        if (found.survey.anchors[i].left_out)
+            left_out << QString::number(i + 1);
+    if (!left_out.isEmpty())
+        words_->setText(
+            words_->text() + ' ' +
+            tr("Without anchor %1: the file lacks it, and in this take its place stays as it was.", nullptr,
+               int(left_out.size()))
+                .arg(left_out.join(", ")));
 }
 
 void RoomPage::chooseFile() {

@@ -63,6 +63,7 @@ private:
     void showTime();
     void showRun();
     void showResult();
+    void showWalkTrouble();
     void showSurvey(const SurveyedTake& found, SurveyStage stage);
     int letterOf(const std::string& performer) const;
     QString walkWords() const;
@@ -87,7 +88,7 @@ private:
     Label* walk_words_;
     RoomDrawing *plan_, *front_;
     JobProgress* progress_;
-    QBoxLayout *findings_ = nullptr, *anchors_ = nullptr;
+    QBoxLayout *walk_trouble_ = nullptr, *findings_ = nullptr, *anchors_ = nullptr;
     MeasureMeter *heard_, *error_, *agreement_;
     Label* words_;
     Button *walk_button_, *survey_, *use_, *process_, *save_, *leave_;

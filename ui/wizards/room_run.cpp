@@ -17,6 +17,17 @@ bool hasAnchors(const TakeDocument& take) {
            std::ranges::any_of(overview->parties, [](const TakeParty& party) { return party.subject.room; });
 }
 
+/// Anchors that are not in `places` stay where they are.
+Suit placedInto(Suit room, const Suit& places) {
+    for (Board& board : room.boards)
+        if (const int found = places.findBoard(board.id); found >= 0)
+            board = places.boards[static_cast<size_t>(found)];
+    for (Source& source : room.sources)
+        if (const int found = places.findSource(source.id); found >= 0)
+            source = places.sources[static_cast<size_t>(found)];
+    return room;
+}
+
 }  // namespace
 
 RoomRun::RoomRun(Studio& studio, QObject* parent) : QObject(parent), studio_(studio) {
@@ -40,10 +51,15 @@ void RoomRun::follow() {
     if (studio_.take().path() != path_) {
         if (job_)
             job_->cancel();
-        job_.clear(), path_.clear(), result_.reset(), error_.reset();
-        in_use_ = false;
+        job_.clear(), path_.clear();
+        forget();
     }
     emit changed();
+}
+
+void RoomRun::forget() {
+    all_.reset(), result_.reset(), error_.reset(), in_force_.reset();
+    without_.clear();
 }
 
 RoomRun::Phase RoomRun::phase() const {
@@ -64,8 +80,7 @@ void RoomRun::survey() {
     if (phase() == Phase::kSurveying || phase() == Phase::kNoTake)
         return;
     path_ = studio_.take().path();
-    result_.reset(), error_.reset();
-    in_use_ = false;
+    forget();
     RoomRequest request;
     request.take_path = path_.toStdString();
     request.created_utc = studio_.parts().utc_now();
@@ -85,22 +100,47 @@ void RoomRun::survey() {
 /// The job's end is told next.
 void RoomRun::accept(Result<SurveyedTake> result) {
     if (result)
-        result_ = std::make_shared<const SurveyedTake>(std::move(*result));
+        all_ = result_ = std::make_shared<const SurveyedTake>(std::move(*result));
     else if (result.error().kind != ErrorKind::kCancelled)
         error_ = result.error();
 }
 
+bool RoomRun::isInUse() const {
+    return result_ && in_force_ &&
+           toJson(placedInto(*in_force_, *result_->result.room)) == toJson(*in_force_);
+}
+
+QString RoomRun::whyNotWithout(size_t anchor) const {
+    return room_survey::canLeaveOut(result_->survey, anchor)
+               ? QString()
+               : tr("A room needs three anchors that have a place.");
+}
+
+void RoomRun::setWithout(size_t anchor, bool is_without) {
+    if (phase() != Phase::kResult || (is_without && !whyNotWithout(anchor).isEmpty()))
+        return;
+    if (is_without)
+        without_.insert(anchor);
+    else
+        without_.erase(anchor);
+    auto without = withoutAnchors(*all_, {without_.begin(), without_.end()});
+    require(without.ok(), "each of them could be left out");
+    result_ = std::make_shared<const SurveyedTake>(std::move(*without));
+    emit changed();
+}
+
 void RoomRun::use() {
-    if (result_ && !in_use_ && studio_.changes().waiting<RoomChange>(path_).empty())
+    if (result_ && !isInUse() && studio_.changes().waiting<RoomChange>(path_).empty())
         studio_.changes().push(tr("Using the surveyed places of anchors"),
-                               RoomChange{result_->before, *result_->result.room, studio_.parts().utc_now()});
+                               RoomChange{in_force_.value_or(result_->before), *result_->result.room,
+                                          studio_.parts().utc_now()});
 }
 
 void RoomRun::placed(const QString& path, const TakeChange& change) {
     const auto* room = std::get_if<RoomChange>(&change);
     if (!room || path != path_ || !result_)
         return;
-    in_use_ = toJson(room->after) == toJson(*result_->result.room);
+    in_force_ = placedInto(in_force_.value_or(result_->before), room->after);
     emit changed();
 }
 

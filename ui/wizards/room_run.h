@@ -5,6 +5,7 @@
 
 #include <QPointer>
 #include <memory>
+#include <set>
 
 #include "core/processing/survey_room.h"
 #include "ui/models/studio.h"
@@ -36,7 +37,11 @@ public:
     /// Of kFailed.
     const Error& error() const { return *error_; }
     /// The places of the result hold in the take.
-    bool isInUse() const { return in_use_; }
+    bool isInUse() const;
+    /// Why an anchor of the result cannot be left out, in words; empty: it can.
+    QString whyNotWithout(size_t anchor) const;
+    /// Leaves it out of the result, or takes it back in.
+    void setWithout(size_t anchor, bool is_without);
 
     void survey();
     void use();
@@ -48,15 +53,17 @@ signals:
 
 private:
     void follow();
+    void forget();
     void accept(Result<SurveyedTake> result);
     void placed(const QString& path, const TakeChange& change);
 
     Studio& studio_;
     QPointer<Job> job_;
-    QString path_;  ///< of result or error
-    std::shared_ptr<const SurveyedTake> result_;
+    QString path_;                                      ///< of result or error
+    std::shared_ptr<const SurveyedTake> all_, result_;  ///< with all anchors, and as the operator wants it
+    std::set<size_t> without_;                          ///< anchors
     std::optional<Error> error_;
-    bool in_use_ = false;
+    std::optional<Suit> in_force_;  ///< the room in the take, once places were put in force since the survey
 };
 
 }  // namespace noctule::ui

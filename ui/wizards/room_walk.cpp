@@ -30,6 +30,9 @@ RoomWalk::RoomWalk(Studio& studio, QObject* parent) : QObject(parent), studio_(s
     connect(&tick_, &QTimer::timeout, this, &RoomWalk::tick);
     connect(&studio.suits(), &LiveSuits::changed, this, &RoomWalk::follow);
     connect(&studio.suits(), &LiveSuits::recordingEnded, this, &RoomWalk::onEnded);
+    connect(&studio.suits(), &LiveSuits::failed, this, [this](const QString& what, const QString& remedy) {
+        not_begun_ = remedy.isEmpty() ? what : what + QStringLiteral(". ") + remedy;
+    });
 }
 
 RoomWalk::~RoomWalk() {
@@ -68,6 +71,7 @@ void RoomWalk::begin() {
     if (runs_)
         return;
     found_.reset(), hindrance_.reset();
+    take_name_.clear(), not_begun_.clear();
     ends_ = false;
     surveyed_s_ = 0;
     LiveSuit::TakePlan plan;
@@ -145,7 +149,7 @@ void RoomWalk::follow() {
 
 void RoomWalk::settle() {
     if (runs_ && !studio_.suits().isTakeOpen())
-        onEnded({}, tr("The recording did not begin, or could not be saved."));
+        onEnded({}, not_begun_);
 }
 
 void RoomWalk::tick() {
@@ -232,12 +236,19 @@ void RoomWalk::onEnded(const QString& take, const QString& trouble) {
     tick_.stop();
     runs_ = ends_ = false;
     told_ = Phase::kIdle;
-    if (trouble_.isEmpty())
+    // One that ended before anything was recorded was removed.
+    const SessionModel& session = studio_.session();
+    if (session.isOpen() && session.session().findTake(take.toStdString()) >= 0)
+        take_name_ = take;
+    const bool tells_more = !trouble.isEmpty() && (trouble_.isEmpty() || take_name_.isEmpty());
+    if (tells_more)
         trouble_ = trouble;
+    else if (trouble_.isEmpty() && take_name_.isEmpty())
+        trouble_ = tr("The recording did not begin, or could not be saved.");
     Voice::get().say(tr("Done"));
     emit changed();
-    if (!take.isEmpty())
-        emit ended(take);
+    if (!take_name_.isEmpty())
+        emit ended(take_name_);
 }
 
 }  // namespace noctule::ui

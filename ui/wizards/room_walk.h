@@ -59,6 +59,8 @@ public:
     const std::optional<Error>& hindrance() const { return hindrance_; }
     /// Why it did not begin, or ended by itself before its time; empty: nothing went wrong.
     const QString& trouble() const { return trouble_; }
+    /// What the last walk recorded; empty: no take came to be.
+    const QString& takeName() const { return take_name_; }
     /// Every anchor is good.
     static bool isEnough(const room_survey::RoomSurvey& survey);
 
@@ -92,7 +94,8 @@ private:
     double surveyed_s_ = 0;  ///< where the last survey began
     std::shared_ptr<const SurveyedTake> found_;
     std::optional<Error> hindrance_;
-    QString trouble_;
+    QString trouble_, take_name_;
+    QString not_begun_;  ///< why the recording did not begin, as it was told
 };
 
 }  // namespace noctule::ui

@@ -133,6 +133,45 @@ TEST_F(RoomPageTest, ATakeIsSurveyedUsedAndTakenBack) {
     EXPECT_FALSE(run().save(folder_.filePath("no/such/folder/room.json")).isEmpty());
 }
 
+TEST_F(RoomPageTest, AnAnchorIsLeftOutAndTakenBackIn) {
+    open(makeTake("walk_001", "16"));
+    survey();
+    ASSERT_EQ(run().phase(), RoomRun::Phase::kResult) << run().error().text();
+    const auto button = [this](const QString& words) {
+        Button* found = nullptr;
+        for (Button* one : page_->room().side()->findChildren<Button*>())
+            if (one->text() == words)
+                found = one;
+        return found;
+    };
+    ASSERT_NE(button("Use without anchor 2"), nullptr);
+    EXPECT_TRUE(button("Use without anchor 2")->isEnabled());
+    button("Use without anchor 2")->click();
+    ASSERT_TRUE(waitLong([&] { return button("Use anchor 2 again") != nullptr; }));
+    EXPECT_TRUE(run().result().survey.anchors[1].left_out);
+    EXPECT_EQ(run().result().result.room->findSource("ceiling_2"), -1);
+    EXPECT_EQ(run().result().result.room->sources.size(), 3u);
+    EXPECT_TRUE(says(*page_->room().side(), "left out"));
+    EXPECT_TRUE(says(*page_->room().side(), "Without anchor 2: the file lacks it"));
+    for (const RoomDrawing* drawing : page_->room().findChildren<RoomDrawing*>())
+        EXPECT_TRUE(drawing->accessibleName().contains("anchor 2, left out, at"));
+    ASSERT_NE(button("Use without anchor 1"), nullptr);
+    EXPECT_FALSE(button("Use without anchor 1")->isEnabled());
+    EXPECT_TRUE(button("Use without anchor 1")->toolTip().contains("three anchors"));
+    const Vector3d before = sourceInTake(1),
+                   surveyed = run().result().result.room->sources[0].p_segment_source_m;
+    page_->room().useButton()->click();
+    ASSERT_TRUE(waitLong([this] { return run().isInUse() && studio_->jobs().idle(); }));
+    EXPECT_LT((sourceInTake(0) - surveyed).norm(), 1e-6);
+    EXPECT_LT((sourceInTake(1) - before).norm(), 1e-6) << "it stays as it was";
+
+    ASSERT_NE(button("Use anchor 2 again"), nullptr);
+    button("Use anchor 2 again")->click();
+    ASSERT_TRUE(waitLong([&] { return button("Use without anchor 2") != nullptr; }));
+    EXPECT_EQ(run().result().result.room->sources.size(), 4u);
+    EXPECT_FALSE(run().isInUse()) << "its place is not in the take";
+}
+
 TEST_F(RoomPageTest, WhatCannotBeSurveyedIsSaidInPlace) {
     open(makeTake("short_001", "3.2"));  // the rest pose and hardly more
     survey();

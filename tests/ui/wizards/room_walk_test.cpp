@@ -166,6 +166,27 @@ TEST_F(RoomWalkTest, ABoxThatIsLostEndsItAndIsNamed) {
     expectOneTake();
 }
 
+/// No take can be made: the page says so, and still does with another take open.
+TEST_F(RoomWalkTest, AWalkThatBroughtNoTakeSaysSoWhateverTakeIsOpen) {
+    connectBoth();
+    page_->openRoom();
+    ASSERT_TRUE(waitLong([this] { return button()->isEnabled(); })) << button()->toolTip().toStdString();
+    const QString takes = QString::fromStdString(studio_->session().session().takesFolder().string());
+    std::filesystem::remove_all(takes.toStdString());
+    std::ofstream(takes.toStdString()) << "in the way";
+    click(button());
+    ASSERT_TRUE(waitLong([this] { return !walk().isRunning() && studio_->jobs().idle(); }));
+    EXPECT_EQ(walk().takeName(), "");
+    EXPECT_FALSE(walk().trouble().isEmpty());
+    EXPECT_TRUE(says(page_->room(), "The walk brought no take"));
+    EXPECT_TRUE(says(page_->room(), "Mend this, then walk once more."));
+    std::filesystem::remove(takes.toStdString());
+    std::filesystem::create_directories(takes.toStdString());
+    studio_->session().importTakes({makeTake("other_001", "4")});
+    ASSERT_TRUE(waitLong([this] { return studio_->take().isOpen() && studio_->jobs().idle(); }));
+    EXPECT_TRUE(says(page_->room(), "The walk brought no take"));
+}
+
 TEST(RoomWalkDecision, EveryAnchorHasToBeGoodAndSomebodyToHaveWalked) {
     room_survey::RoomSurvey survey;
     survey.frame.of_performer = true;
