@@ -174,9 +174,9 @@ void StartPage::addFoundSuits() {
         if (!suit.present || suit.device.contact != FoundDevice::Contact::kAnswers ||
             suit_buttons_.size() == kMost)
             continue;
-        Button* button =
-            addSuitCard(suit.shownName(), suit.device.busy ? tr("another studio uses it") : tr("ready to connect"),
-                        tr("Connect"));
+        Button* button = addSuitCard(suit.shownName(),
+                                     suit.device.busy ? tr("another studio uses it") : tr("ready to connect"),
+                                     tr("Connect"));
         button->setDisabledBecause(suit.device.busy ? tr("Another studio uses it.") : QString());
         connect(button, &QPushButton::clicked, this,
                 [this, address = QString::fromStdString(suit.device.address)] {
