@@ -259,7 +259,7 @@ void RobotSidebar::showSpells() {
             spell.reason.isEmpty()
                 ? nameOf(spell.word)
                 : tr("%1: %2", "state of the robot: reason").arg(nameOf(spell.word), spell.reason);
-        lines << tr("%1  %2", "time, state").arg(spell.since.time().toString("H:mm:ss"), what);
+        lines << tr("%1  %2", "time, state").arg(clockText(spell.since.time()), what);
     }
     spells_->setText(lines.isEmpty() ? tr("Nothing yet") : lines.join('\n'));
 }

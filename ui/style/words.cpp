@@ -73,6 +73,10 @@ QString timeText(double seconds, int decimals) {
     return seconds < 0 && ticks > 0 ? kMinus + text : text;
 }
 
+QString clockText(const QTime& time) {
+    return time.toString(QStringLiteral("HH:mm:ss"));
+}
+
 QString secondsText(double seconds, int decimals) {
     return withUnit(seconds, decimals, "s");
 }

@@ -13,6 +13,8 @@ namespace noctule::ui {
 
 /// 17.4 s -> "0:17.4"; 3725 s with 0 decimals -> "1:02:05".
 QString timeText(double seconds, int decimals = 1);
+/// A time of the day with its seconds: "09:05:01".
+QString clockText(const QTime& time);
 /// 17.4 -> "17.4 s".
 QString secondsText(double seconds, int decimals = 1);
 /// Seconds in, "43 ms" out.

@@ -18,10 +18,6 @@ struct ReadinessText {
     Q_DECLARE_TR_FUNCTIONS(noctule::ui::ReadinessWords)
 };
 
-QString clockText(const QTime& time) {
-    return time.toString(QStringLiteral("HH:mm:ss"));
-}
-
 HindranceWords aboutLink(const ReadinessProblem& problem, const SuitCheck& check) {
     if (problem.kind == ProblemKind::kNoSound)
         return {ReadinessText::tr("No sound arrives"),

@@ -37,6 +37,11 @@ TEST_F(WordsTest, time) {
     expectText(timeText(kNone), "–");
 }
 
+TEST_F(WordsTest, TimesOfTheDayHaveTwoDigitsEach) {
+    expectText(clockText(QTime(9, 5, 1)), "09:05:01");
+    expectText(clockText(QTime(23, 0, 59)), "23:00:59");
+}
+
 TEST_F(WordsTest, NoLineEndsWithinAUnit) {
     expectText(unbroken("known to 0.003 °/s and 0.11 %. Two words"),
                "known to 0.003\u00a0°/\u2060s and 0.11\u00a0%. Two words");

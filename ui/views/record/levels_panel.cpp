@@ -80,8 +80,8 @@ void LevelsPanel::followLink() {
     const bool takes = worn.suit.phase() == LiveSuit::Phase::kRecording;
     if (!worn.suit.isSilent() || (!takes && !worn.check.nothingSince().isValid()))
         return;
-    const QString since = takes ? timeText(worn.suit.recordedSeconds(), 0)
-                                : worn.check.nothingSince().toString(QStringLiteral("HH:mm:ss"));
+    const QString since =
+        takes ? timeText(worn.suit.recordedSeconds(), 0) : clockText(worn.check.nothingSince());
     const QString words =
         tr("%1 of %2 good now").arg(0).arg(static_cast<int>(needles_.size()) * sources_.size()) +
         QStringLiteral(". ") +
