@@ -20,7 +20,7 @@
     <name>core/acoustics</name>
     <message>
         <source>A pulse interval of %1 samples is not 1 ms to 1 s</source>
-        <translation>Ein Pulsabstand von %1 Abtastwerten ist nicht 1 ms bis 1 s</translation>
+        <translation>Ein Pulsabstand von %1 Abtastwerten ist nicht 1 ms bis 1 s</translation>
     </message>
     <message>
         <source>A suit of %1 boards cannot be heard</source>
@@ -32,7 +32,7 @@
     </message>
     <message>
         <source>Pulses of %1 cycles are too long for the matched detector (0.45 ms at most)</source>
-        <translation>Pulse von %1 Schwingungen sind zu lang für den Detektor am ganzen Puls (höchstens 0,45 ms)</translation>
+        <translation>Pulse von %1 Schwingungen sind zu lang für den Detektor am ganzen Puls (höchstens 0,45 ms)</translation>
     </message>
     <message>
         <source>Source %1 yields no ranges: the calibration has %2</source>
@@ -44,11 +44,11 @@
     </message>
     <message>
         <source>The sample rate of %1 Hz does not suit 40 kHz pulses (100 kHz to 1 MHz do)</source>
-        <translation>Die Abtastrate von %1 Hz passt nicht zu Pulsen von 40 kHz (100 kHz bis 1 MHz passen)</translation>
+        <translation>Die Abtastrate von %1 Hz passt nicht zu Pulsen von 40 kHz (100 kHz bis 1 MHz passen)</translation>
     </message>
     <message>
         <source>Use the inflection detector, or shorter pulses; 10 cycles of 40 kHz are usual</source>
-        <translation>Den Detektor am Anstieg des Pulses oder kürzere Pulse verwenden; üblich sind 10 Schwingungen von 40 kHz</translation>
+        <translation>Den Detektor am Anstieg des Pulses oder kürzere Pulse verwenden; üblich sind 10 Schwingungen von 40 kHz</translation>
     </message>
     <message>
         <source>inflection</source>
@@ -79,7 +79,7 @@
     </message>
     <message>
         <source>Import sensors of one recording and rate</source>
-        <translation>Sensoren einer einzigen Aufnahme und Rate importieren</translation>
+        <translation>Sensoren einer einzigen Aufzeichnung und Rate importieren</translation>
     </message>
     <message>
         <source>Joints between sensors</source>
@@ -115,7 +115,7 @@
     </message>
     <message>
         <source>the recording is shorter than 5 s</source>
-        <translation>die Aufnahme ist kürzer als 5 s</translation>
+        <translation>die Aufzeichnung ist kürzer als 5 s</translation>
     </message>
     <message>
         <source>their rates or lengths differ</source>
@@ -222,7 +222,7 @@
     </message>
     <message>
         <source>1 unit = %1 m</source>
-        <translation>1 Einheit = %1 m</translation>
+        <translation>1 Einheit = %1 m</translation>
     </message>
     <message>
         <source>A pose</source>
@@ -390,7 +390,7 @@
     </message>
     <message>
         <source>Network is unreachable</source>
-        <translation>Netz ist nicht erreichbar</translation>
+        <translation>Netzwerk ist nicht erreichbar</translation>
     </message>
     <message>
         <source>No route to host</source>
@@ -522,7 +522,7 @@
     </message>
     <message>
         <source>heard but unused %1</source>
-        <translation>gehört, aber unbenutzt %1</translation>
+        <translation>gehört, aber nicht verwendet %1</translation>
     </message>
     <message>
         <source>hidden by the body %1</source>
@@ -554,7 +554,7 @@
     </message>
     <message>
         <source>rejected by the gate %1</source>
-        <translation>vom Gate verworfen %1</translation>
+        <translation>vom Filter verworfen %1</translation>
     </message>
     <message>
         <source>root bip01 bip001 bip</source>
@@ -598,7 +598,7 @@
     </message>
     <message>
         <source>used %1</source>
-        <translation>benutzt %1</translation>
+        <translation>verwendet %1</translation>
     </message>
 </context>
 <context>
@@ -617,19 +617,19 @@
     </message>
     <message>
         <source>Lay it down again and leave it alone for four seconds</source>
-        <translation>Sie noch einmal hinlegen und vier Sekunden lang in Ruhe lassen</translation>
+        <translation>Noch einmal hinlegen und vier Sekunden lang in Ruhe lassen</translation>
     </message>
     <message>
         <source>Lay it with %1 up and leave it alone for four seconds</source>
-        <translation>Sie mit %1 nach oben hinlegen und vier Sekunden lang in Ruhe lassen</translation>
+        <translation>Mit %1 nach oben hinlegen und vier Sekunden lang in Ruhe lassen</translation>
     </message>
     <message>
         <source>Press it into its seat, check that the plate is level, and repeat both sides</source>
-        <translation>Sie in ihr Fach drücken, prüfen, ob die Platte waagrecht ist, und beide Seiten wiederholen</translation>
+        <translation>In ihr Fach drücken, prüfen, ob die Platte waagrecht ist, und beide Seiten wiederholen</translation>
     </message>
     <message>
         <source>Press it into its seat, check that the plate is level, and repeat this side</source>
-        <translation>Sie in ihr Fach drücken, prüfen, ob die Platte waagrecht ist, und diese Seite wiederholen</translation>
+        <translation>In ihr Fach drücken, prüfen, ob die Platte waagrecht ist, und diese Seite wiederholen</translation>
     </message>
     <message>
         <source>Push its plug in until it clicks, then repeat its six sides</source>
@@ -661,7 +661,7 @@
     </message>
     <message>
         <source>its zero is known to %1 mg and its slope to %2 %</source>
-        <translation>ihr Nullpunkt ist auf %1 mg und ihre Steigung auf %2 % bekannt</translation>
+        <translation>ihr Nullpunkt ist auf %1 mg und ihre Steigung auf %2 % bekannt</translation>
     </message>
     <message>
         <source>lay %1 askew with its %2 side up</source>
@@ -673,7 +673,7 @@
     </message>
     <message>
         <source>read gravity %1 m/s² off %2</source>
-        <translation>maß die Schwerkraft um %1 m/s² falsch, %2</translation>
+        <translation>maß die Schwerkraft um %1 m/s² falsch, %2</translation>
     </message>
     <message>
         <source>sent no readings</source>
@@ -701,7 +701,7 @@
     </message>
     <message>
         <source>was moved while its %1 side was up, it lay still for %2 s</source>
-        <translation>wurde bewegt, während ihre Seite %1 oben war; sie lag %2 s lang still</translation>
+        <translation>wurde bewegt, während ihre Seite %1 oben war; sie lag %2 s lang still</translation>
     </message>
     <message>
         <source>with its %1 side up</source>
@@ -712,7 +712,7 @@
     <name>core/calibration/gyroscope</name>
     <message>
         <source>%1 is more than 80 % of its gyroscope's range of %2 °/s</source>
-        <translation>%1 ist mehr als 80 % vom Messbereich ihres Gyroskops von %2 °/s</translation>
+        <translation>%1 ist mehr als 80 % vom Messbereich ihres Gyroskops von %2 °/s</translation>
     </message>
     <message>
         <source>%1, as the table turned the other way when the board was turned over</source>
@@ -724,7 +724,7 @@
     </message>
     <message>
         <source>%1: its zero is known to %2 °/s and its slope to %3 %</source>
-        <translation>%1: ihr Nullpunkt ist auf %2 °/s und ihre Steigung auf %3 % bekannt</translation>
+        <translation>%1: ihr Nullpunkt ist auf %2 °/s und ihre Steigung auf %3 % bekannt</translation>
     </message>
     <message>
         <source>For a better result tilt the table by a third of a degree and repeat</source>
@@ -744,7 +744,7 @@
     </message>
     <message>
         <source>Set the table to a slower speed, 33 1/3 or 45 rpm, and repeat</source>
-        <translation>Den Drehteller auf eine kleinere Drehzahl stellen, 33 1/3 oder 45 U/min, und wiederholen</translation>
+        <translation>Den Drehteller auf eine kleinere Drehzahl stellen, 33 1/3 oder 45 U/min, und wiederholen</translation>
     </message>
     <message>
         <source>Set the table's speed with its stroboscope and repeat, to be sure</source>
@@ -756,27 +756,27 @@
     </message>
     <message>
         <source>The table turned %1 % %2 than %3; its measured speed counts</source>
-        <translation>Der Drehteller drehte sich %1 % %2 als %3; es gilt seine gemessene Drehzahl</translation>
+        <translation>Der Drehteller drehte sich %1 % %2 als %3; es gilt seine gemessene Drehzahl</translation>
     </message>
     <message>
         <source>The table turned at about %1 rpm, not at %2</source>
-        <translation>Der Drehteller drehte sich mit etwa %1 U/min, nicht mit %2</translation>
+        <translation>Der Drehteller drehte sich mit etwa %1 U/min, nicht mit %2</translation>
     </message>
     <message>
         <source>The table's true speed does not show, as it stands level or turned too briefly; %1 counts, which is good to about 0.1 %</source>
-        <translation>Die wahre Drehzahl des Drehtellers zeigt sich nicht, da er waagrecht steht oder sich zu kurz drehte; es gilt %1, auf etwa 0,1 % genau</translation>
+        <translation>Die wahre Drehzahl des Drehtellers zeigt sich nicht, da er waagrecht steht oder sich zu kurz drehte; es gilt %1, auf etwa 0,1 % genau</translation>
     </message>
     <message>
         <source>The zeros and slopes of %1 boards are uncertain; worst is %2, whose zero is known to %3 °/s and slope to %4 %</source>
-        <translation>Nullpunkte und Steigungen von %1 Platinen sind unsicher; am schlechtesten ist %2: Nullpunkt auf %3 °/s, Steigung auf %4 % bekannt</translation>
+        <translation>Nullpunkte und Steigungen von %1 Platinen sind unsicher; am schlechtesten ist %2: Nullpunkt auf %3 °/s, Steigung auf %4 % bekannt</translation>
     </message>
     <message>
         <source>Turn it with its %1 side up as well, the table turning as before</source>
-        <translation>Sie auch mit ihrer Seite %1 nach oben drehen, der Drehteller dreht wie zuvor</translation>
+        <translation>Auch mit ihrer Seite %1 nach oben drehen, der Drehteller dreht wie zuvor</translation>
     </message>
     <message>
         <source>Turn it with its +%1 side up and again with its -%2 side up</source>
-        <translation>Sie mit ihrer Seite +%1 nach oben drehen und noch einmal mit ihrer Seite -%2 nach oben</translation>
+        <translation>Mit ihrer Seite +%1 nach oben drehen und noch einmal mit ihrer Seite -%2 nach oben</translation>
     </message>
     <message>
         <source>Turn the six sides one soon after the other, each evenly for nine seconds or more</source>
@@ -811,7 +811,7 @@
     <name>core/calibration/motion</name>
     <message>
         <source>%1 of %2 boards are heard in only %3 % of the movement in %4, in the median</source>
-        <translation>%1 von %2 Platinen sind im Median nur in %3 % der Bewegung in %4 zu hören</translation>
+        <translation>%1 von %2 Platinen sind im Median nur in %3 % der Bewegung in %4 zu hören</translation>
     </message>
     <message>
         <source>%1, has not settled: the last step still turned it by %2°</source>
@@ -819,15 +819,15 @@
     </message>
     <message>
         <source>%1, is found %2° and %3 cm from where the calibration before has it</source>
-        <translation>%1, liegt %2° und %3 cm von dort, wo die vorige Kalibrierung sie hat</translation>
+        <translation>%1, liegt %2° und %3 cm von dort, wo die vorige Kalibrierung sie hat</translation>
     </message>
     <message>
         <source>%1, is heard in only %2 % of the movement in %3</source>
-        <translation>%1, ist nur in %2 % der Bewegung in %3 zu hören</translation>
+        <translation>%1, ist nur in %2 % der Bewegung in %3 zu hören</translation>
     </message>
     <message>
         <source>%1, keeps its place of the rest pose: with the one that the movement gave it, seconds that were held out fit worse by %2 %</source>
-        <translation>%1, behält seinen Platz aus der Ruhehaltung: mit dem, den die Bewegung ergab, passen zurückgehaltene Sekunden um %2 % schlechter</translation>
+        <translation>%1, behält seinen Platz aus der Ruhehaltung: mit dem, den die Bewegung ergab, passen zurückgehaltene Sekunden um %2 % schlechter</translation>
     </message>
     <message>
         <source>%1: a board or source is not on the performer's body</source>
@@ -843,7 +843,7 @@
     </message>
     <message>
         <source>, keeps its place of the rest pose: the movement would turn it farther than a strap can</source>
-        <translation>, behält seinen Platz aus der Ruhehaltung: die Bewegung würde es weiter drehen, als ein Band nachgibt</translation>
+        <translation>, behält seinen Platz aus der Ruhehaltung: die Bewegung würde es weiter drehen, als ein Gurt nachgibt</translation>
     </message>
     <message>
         <source>Bend forwards and sideways and turn the trunk to both sides</source>
@@ -911,11 +911,11 @@
     </message>
     <message>
         <source>Record with the suit worn, and with an actor that has its segments</source>
-        <translation>Mit angezogenem Anzug aufnehmen und mit einem Darsteller, der dessen Glieder hat</translation>
+        <translation>Mit angezogenem Anzug aufnehmen und mit Körpermaßen, die dessen Glieder enthalten</translation>
     </message>
     <message>
         <source>See that the driver box reaches the computer without loss, and that the take is whole, then move again</source>
-        <translation>Sorgen Sie dafür, dass die Treiberbox den Rechner ohne Verlust erreicht und die Aufnahme vollständig ist; bewegen Sie sich dann noch einmal</translation>
+        <translation>Sorgen Sie dafür, dass die Steuerbox den Rechner ohne Verlust erreicht und die Aufnahme vollständig ist; bewegen Sie sich dann noch einmal</translation>
     </message>
     <message>
         <source>Shrug and roll that shoulder</source>
@@ -943,7 +943,7 @@
     </message>
     <message>
         <source>There are only %1 s of movement after the rest pose</source>
-        <translation>Nach der Ruhehaltung folgen nur %1 s Bewegung</translation>
+        <translation>Nach der Ruhehaltung folgen nur %1 s Bewegung</translation>
     </message>
     <message>
         <source>Too little movement to show how boards sit at: %1</source>
@@ -966,7 +966,7 @@
     </message>
     <message>
         <source>%1, feels %2 m/s² while it is still instead of %3</source>
-        <translation>%1, misst %2 m/s², während sie ruht, statt %3</translation>
+        <translation>%1, misst %2 m/s², während sie ruht, statt %3</translation>
     </message>
     <message>
         <source>%1, is silent in the rest pose and keeps its old values</source>
@@ -990,7 +990,7 @@
     </message>
     <message>
         <source>%1, sits about %2 cm from where the suit file says</source>
-        <translation>%1, sitzt etwa %2 cm von dort, wo die Anzugdatei sie hat</translation>
+        <translation>%1, sitzt etwa %2 cm von dort, wo die Anzugdatei sie hat</translation>
     </message>
     <message>
         <source>%1; only the stillness from %2 to %3 was used</source>
@@ -1010,7 +1010,7 @@
     </message>
     <message>
         <source>Board %1, hears its sources about %2 cm from where the calibration puts it</source>
-        <translation>Platine %1, hört ihre Quellen etwa %2 cm von dort, wo die Kalibrierung sie hat</translation>
+        <translation>Platine %1, hört ihre Quellen etwa %2 cm von dort, wo die Kalibrierung sie hat</translation>
     </message>
     <message>
         <source>Boards %1 and %2 seem to be exchanged</source>
@@ -1034,7 +1034,7 @@
     </message>
     <message>
         <source>Calibrate them in step Calibrate, then check the suit</source>
-        <translation>Sie im Schritt Kalibrieren kalibrieren, dann den Anzug kontrollieren</translation>
+        <translation>Diese im Schritt Kalibrieren kalibrieren, dann den Anzug kontrollieren</translation>
     </message>
     <message>
         <source>Change the board</source>
@@ -1050,7 +1050,7 @@
     </message>
     <message>
         <source>Exchange their plugs at the driver box, or drag the one onto the other on Connect</source>
-        <translation>Ihre Stecker an der Steuerbox tauschen oder auf Verbinden die eine auf die andere ziehen</translation>
+        <translation>Ihre Stecker an der Steuerbox tauschen oder im Schritt Verbinden die eine auf die andere ziehen</translation>
     </message>
     <message>
         <source>Exchange their two plugs at the box, then hold the rest pose again</source>
@@ -1058,7 +1058,7 @@
     </message>
     <message>
         <source>Exchange them on the body, or drag the one onto the other on Connect</source>
-        <translation>Sie am Körper tauschen oder auf Verbinden die eine auf die andere ziehen</translation>
+        <translation>Am Körper tauschen oder im Schritt Verbinden die eine auf die andere ziehen</translation>
     </message>
     <message>
         <source>Hold the rest pose again</source>
@@ -1086,11 +1086,11 @@
     </message>
     <message>
         <source>Put it back, or calibrate the rest pose again</source>
-        <translation>Ihn zurückschieben oder die Ruhehaltung neu kalibrieren</translation>
+        <translation>Zurückschieben oder die Ruhehaltung neu kalibrieren</translation>
     </message>
     <message>
         <source>Put it right or correct the suit file, then hold the rest pose again</source>
-        <translation>Sie richten oder die Anzugdatei berichtigen, dann die Ruhehaltung noch einmal halten</translation>
+        <translation>Die Platine richten oder die Anzugdatei berichtigen, dann die Ruhehaltung noch einmal halten</translation>
     </message>
     <message>
         <source>Put its strap right or correct the suit file, then hold the rest pose again</source>
@@ -1201,7 +1201,7 @@
     </message>
     <message>
         <source>%1 has an offset of %2; 100 to 200 µs are usual</source>
-        <translation>%1 hat einen Versatz von %2; üblich sind 100 bis 200 µs</translation>
+        <translation>%1 hat einen Versatz von %2; üblich sind 100 bis 200 µs</translation>
     </message>
     <message>
         <source>%1 has no distances for these placements of the take: %2</source>
@@ -1265,7 +1265,7 @@
     </message>
     <message>
         <source>Add placements from 30 to 90 cm, or take the speed of sound from the thermometer</source>
-        <translation>Aufstellungen von 30 bis 90 cm hinzufügen oder die Schallgeschwindigkeit vom Thermometer nehmen</translation>
+        <translation>Aufstellungen von 30 bis 90 cm hinzufügen oder die Schallgeschwindigkeit vom Thermometer nehmen</translation>
     </message>
     <message>
         <source>Add the points or remove the placement</source>
@@ -1273,7 +1273,7 @@
     </message>
     <message>
         <source>Calibrate them one by one</source>
-        <translation>Sie einzeln kalibrieren</translation>
+        <translation>Einzeln kalibrieren</translation>
     </message>
     <message>
         <source>Close it in the same line</source>
@@ -1313,7 +1313,7 @@
     </message>
     <message>
         <source>Fill it in or remove the row</source>
-        <translation>Sie ausfüllen oder die Zeile entfernen</translation>
+        <translation>Die Spalte ausfüllen oder die Zeile entfernen</translation>
     </message>
     <message>
         <source>Give a number such as 0.512</source>
@@ -1361,11 +1361,11 @@
     </message>
     <message>
         <source>Measure it again, in at least %1 pairs</source>
-        <translation>Sie noch einmal messen, in mindestens %1 Paaren</translation>
+        <translation>Noch einmal messen, in mindestens %1 Paaren</translation>
     </message>
     <message>
         <source>Measure it too, so that the other boards need not stand for it</source>
-        <translation>Sie auch messen, damit die anderen Platinen sie nicht vertreten müssen</translation>
+        <translation>Auch messen, damit die anderen Platinen sie nicht vertreten müssen</translation>
     </message>
     <message>
         <source>Measure the points again</source>
@@ -1409,7 +1409,7 @@
     </message>
     <message>
         <source>Record more placements, 30 to 90 cm apart</source>
-        <translation>Mehr Aufstellungen aufnehmen, 30 bis 90 cm auseinander</translation>
+        <translation>Mehr Aufstellungen aufnehmen, 30 bis 90 cm auseinander</translation>
     </message>
     <message>
         <source>Record one with every placement marked</source>
@@ -1421,7 +1421,7 @@
     </message>
     <message>
         <source>Save the table as CSV in UTF-8</source>
-        <translation>Die Tabelle als CSV in UTF-8 sichern</translation>
+        <translation>Die Tabelle als CSV in UTF-8 speichern</translation>
     </message>
     <message>
         <source>See that it sounds and that the file has its point</source>
@@ -1445,7 +1445,7 @@
     </message>
     <message>
         <source>The distances are too much alike to tell the speed of sound; it is known to %1 %</source>
-        <translation>Die Abstände sind einander zu ähnlich, um die Schallgeschwindigkeit zu bestimmen; sie ist auf %1 % bekannt</translation>
+        <translation>Die Abstände sind einander zu ähnlich, um die Schallgeschwindigkeit zu bestimmen; sie ist auf %1 % bekannt</translation>
     </message>
     <message>
         <source>The distances fit the flight times as if the air were %1 %2</source>
@@ -1636,7 +1636,7 @@
     </message>
     <message>
         <source>Check that the disk has room, or process without smoothing</source>
-        <translation>Prüfen, ob auf der Platte Platz ist, oder ohne Glättung verarbeiten</translation>
+        <translation>Prüfen, ob auf dem Datenträger Platz ist, oder ohne Glättung verarbeiten</translation>
     </message>
     <message>
         <source>calibration of board %1: its flesh moves with joint '%2', which the performer does not have</source>
@@ -1671,7 +1671,7 @@
     </message>
     <message>
         <source>%1: %2 at %3 per second; a figure %4 m tall (%5), %6 up; %7; zero pose: %8</source>
-        <translation>%1: %2 mit %3 je Sekunde; eine Figur von %4 m Größe (%5), %6 nach oben; %7; Nullpose: %8</translation>
+        <translation>%1: %2 mit %3 je Sekunde; eine Figur von %4 m Größe (%5), %6 nach oben; %7; Nullpose: %8</translation>
     </message>
     <message>
         <source>%1: a %2, or another unit%3</source>
@@ -1747,7 +1747,7 @@
     </message>
     <message>
         <source>Hands and feet move at %1 m/s on the mean: is the file's Frame Time right, and its unit?</source>
-        <translation>Hände und Füße bewegen sich im Mittel mit %1 m/s: stimmen Frame Time und Einheit der Datei?</translation>
+        <translation>Hände und Füße bewegen sich im Mittel mit %1 m/s: stimmen Frame Time und Einheit der Datei?</translation>
     </message>
     <message>
         <source>Left and right</source>
@@ -1977,7 +1977,7 @@
     </message>
     <message>
         <source>%1: a GLB file holds 4 GiB at most</source>
-        <translation>%1: Eine GLB-Datei fasst höchstens 4 GiB</translation>
+        <translation>%1: Eine GLB-Datei fasst höchstens 4 GiB</translation>
     </message>
     <message>
         <source>%1: frame %2 is not a finite number</source>
@@ -2001,7 +2001,7 @@
     </message>
     <message>
         <source>%1: the clock jumps at %2 of %3 rows, first by %4 s in line %5.</source>
-        <translation>%1: die Uhr springt bei %2 von %3 Zeilen, zuerst um %4 s in Zeile %5.</translation>
+        <translation>%1: die Uhr springt bei %2 von %3 Zeilen, zuerst um %4 s in Zeile %5.</translation>
     </message>
     <message>
         <source>%1: the disk does not give back the bytes that were written to it</source>
@@ -2061,11 +2061,11 @@
     </message>
     <message>
         <source>Export fewer takes or performers into one file, or a part of the time</source>
-        <translation>Weniger Aufnahmen oder Personen in eine Datei exportieren, oder einen Teil der Zeit</translation>
+        <translation>Weniger Aufnahmen oder Darsteller in eine Datei exportieren, oder einen Teil der Zeit</translation>
     </message>
     <message>
         <source>Export it in parts, or at fewer frames per second</source>
-        <translation>Sie in Teilen oder mit weniger Bildern je Sekunde exportieren</translation>
+        <translation>In Teilen oder mit weniger Bildern je Sekunde exportieren</translation>
     </message>
     <message>
         <source>Export the animation too (in Blender: Bake Animation), or choose another file</source>
@@ -2181,7 +2181,7 @@
     </message>
     <message>
         <source>Write it to a file of its own</source>
-        <translation>Sie in eine eigene Datei schreiben</translation>
+        <translation>In eine eigene Datei schreiben</translation>
     </message>
     <message>
         <source>Write numbers with a decimal point and put spaces between them</source>
@@ -2261,7 +2261,7 @@
     </message>
     <message>
         <source>is the name of two performers</source>
-        <translation>ist der Name von zwei Personen</translation>
+        <translation>ist der Name von zwei Darstellern</translation>
     </message>
     <message>
         <source>it ends before the first row of numbers</source>
@@ -2508,15 +2508,15 @@
     </message>
     <message>
         <source>%1: %2 of %3 rows lack a marker of a joint and were left out.</source>
-        <translation>%1: in %2 von %3 Zeilen fehlt eine Marke eines Gelenks; sie wurden ausgelassen.</translation>
+        <translation>%1: in %2 von %3 Zeilen fehlt ein Marker eines Gelenks; sie wurden ausgelassen.</translation>
     </message>
     <message>
         <source>%1: %2 places are farther than 1 km and were left out; check the unit</source>
-        <translation>%1: %2 Orte sind weiter als 1 km entfernt und wurden ausgelassen; die Einheit prüfen</translation>
+        <translation>%1: %2 Orte sind weiter als 1 km entfernt und wurden ausgelassen; die Einheit prüfen</translation>
     </message>
     <message>
         <source>%1: a recording of the kind %2 is one file</source>
-        <translation>%1: eine Aufnahme der Art %2 ist eine einzige Datei</translation>
+        <translation>%1: eine Aufzeichnung der Art %2 ist eine einzige Datei</translation>
     </message>
     <message>
         <source>%1: a table needs a map of its columns; they are %2</source>
@@ -2564,7 +2564,7 @@
     </message>
     <message>
         <source>%1: has no marker %2</source>
-        <translation>%1: hat keine Marke %2</translation>
+        <translation>%1: hat keinen Marker %2</translation>
     </message>
     <message>
         <source>%1: holds more than %2 files</source>
@@ -2580,11 +2580,11 @@
     </message>
     <message>
         <source>%1: holds one row, a pose to calibrate with and no recording</source>
-        <translation>%1: enthält eine einzige Zeile, eine Pose zum Kalibrieren und keine Aufnahme</translation>
+        <translation>%1: enthält eine einzige Zeile, eine Pose zum Kalibrieren und keine Aufzeichnung</translation>
     </message>
     <message>
         <source>%1: in no row all of these markers are seen</source>
-        <translation>%1: in keiner Zeile sind alle diese Marken zu sehen</translation>
+        <translation>%1: in keiner Zeile sind alle diese Marker zu sehen</translation>
     </message>
     <message>
         <source>%1: its columns are %2</source>
@@ -2608,7 +2608,7 @@
     </message>
     <message>
         <source>%1: no marker carries a joint's name; they are %2</source>
-        <translation>%1: keine Marke trägt den Namen eines Gelenks; sie sind %2</translation>
+        <translation>%1: kein Marker trägt den Namen eines Gelenks; es sind %2</translation>
     </message>
     <message>
         <source>%1: rates are stated as deg/s, but gravity shows rad/s; they were taken as rad/s</source>
@@ -2616,7 +2616,7 @@
     </message>
     <message>
         <source>%1: rates reach %2 rad/s, which no gyroscope measures; they look like deg/s and were left as they are. Give the file as a table with a map that states deg/s</source>
-        <translation>%1: Drehraten erreichen %2 rad/s, was kein Gyroskop misst; sie sehen nach deg/s aus und blieben, wie sie sind. Die Datei als Tabelle mit einer Zuordnung angeben, die deg/s nennt</translation>
+        <translation>%1: Drehraten erreichen %2 rad/s, was kein Gyroskop misst; sie sehen nach deg/s aus und blieben, wie sie sind. Die Datei als Tabelle mit einer Zuordnung angeben, die deg/s nennt</translation>
     </message>
     <message>
         <source>%1: rates were read as deg/s and converted to rad/s</source>
@@ -2668,7 +2668,7 @@
     </message>
     <message>
         <source>%1: the recording was cut in the middle of a message or line, which was left out</source>
-        <translation>%1: die Aufnahme wurde mitten in einer Nachricht oder Zeile abgeschnitten; diese wurde ausgelassen</translation>
+        <translation>%1: die Aufzeichnung wurde mitten in einer Nachricht oder Zeile abgeschnitten; diese wurde ausgelassen</translation>
     </message>
     <message>
         <source>%1: there is a header and no row below it</source>
@@ -2692,7 +2692,7 @@
     </message>
     <message>
         <source>A recording has 1 to 10000 rows a second; check the unit of the time</source>
-        <translation>Eine Aufnahme hat 1 bis 10000 Zeilen je Sekunde; die Einheit der Zeit prüfen</translation>
+        <translation>Eine Aufzeichnung hat 1 bis 10000 Zeilen je Sekunde; die Einheit der Zeit prüfen</translation>
     </message>
     <message>
         <source>A take holds 1 to 32 in one suit; import fewer at a time</source>
@@ -2724,7 +2724,7 @@
     </message>
     <message>
         <source>Choose other markers</source>
-        <translation>Andere Marken wählen</translation>
+        <translation>Andere Marker wählen</translation>
     </message>
     <message>
         <source>Choose the column of the time, or give the rate</source>
@@ -2744,15 +2744,15 @@
     </message>
     <message>
         <source>Copy the file again, or save it again with -v7</source>
-        <translation>Die Datei noch einmal kopieren oder noch einmal mit -v7 sichern</translation>
+        <translation>Die Datei noch einmal kopieren oder noch einmal mit -v7 speichern</translation>
     </message>
     <message>
         <source>Cut the recording at the jump</source>
-        <translation>Die Aufnahme am Sprung teilen</translation>
+        <translation>Die Aufzeichnung am Sprung teilen</translation>
     </message>
     <message>
         <source>Cut the recording at the jump and import the parts</source>
-        <translation>Die Aufnahme am Sprung teilen und die Teile importieren</translation>
+        <translation>Die Aufzeichnung am Sprung teilen und die Teile importieren</translation>
     </message>
     <message>
         <source>DataRate is %1</source>
@@ -2768,19 +2768,19 @@
     </message>
     <message>
         <source>Export the markers again</source>
-        <translation>Die Marken noch einmal exportieren</translation>
+        <translation>Die Marker noch einmal exportieren</translation>
     </message>
     <message>
         <source>Export the recording again</source>
-        <translation>Die Aufnahme noch einmal exportieren</translation>
+        <translation>Die Aufzeichnung noch einmal exportieren</translation>
     </message>
     <message>
         <source>Export the recording again with the x-IMU3 GUI or x-IMU3 CSV</source>
-        <translation>Die Aufnahme noch einmal mit x-IMU3 GUI oder x-IMU3 CSV exportieren</translation>
+        <translation>Die Aufzeichnung noch einmal mit x-IMU3 GUI oder x-IMU3 CSV exportieren</translation>
     </message>
     <message>
         <source>Export the recording again, so that all arrays of a sensor have one length</source>
-        <translation>Die Aufnahme noch einmal so exportieren, dass alle Felder eines Sensors gleich lang sind</translation>
+        <translation>Die Aufzeichnung noch einmal so exportieren, dass alle Felder eines Sensors gleich lang sind</translation>
     </message>
     <message>
         <source>Export the recording again, with rates and accelerations or attitudes of unit length</source>
@@ -2788,15 +2788,15 @@
     </message>
     <message>
         <source>Export the recording as MVNX again</source>
-        <translation>Die Aufnahme noch einmal als MVNX exportieren</translation>
+        <translation>Die Aufzeichnung noch einmal als MVNX exportieren</translation>
     </message>
     <message>
         <source>Export the recording as text in MT Manager again, with inertial data and the packet counter</source>
-        <translation>Die Aufnahme noch einmal als Text in MT Manager exportieren, mit Inertialdaten und Paketzähler</translation>
+        <translation>Die Aufzeichnung noch einmal als Text in MT Manager exportieren, mit Inertialdaten und Paketzähler</translation>
     </message>
     <message>
         <source>From frame %1 to %2 its time goes on by %3 s; frames were placed by their numbers, %4 s</source>
-        <translation>Von Bild %1 zu %2 läuft die Zeit um %3 s weiter; die Bilder wurden nach ihren Nummern gelegt, %4 s</translation>
+        <translation>Von Bild %1 zu %2 läuft die Zeit um %3 s weiter; die Bilder wurden nach ihren Nummern gelegt, %4 s</translation>
     </message>
     <message>
         <source>Give a table with comma, semicolon, tab or blank between its cells</source>
@@ -2816,15 +2816,15 @@
     </message>
     <message>
         <source>Give each sensor's file once, and the files of one recording only</source>
-        <translation>Die Datei jedes Sensors einmal angeben, und nur die Dateien einer einzigen Aufnahme</translation>
+        <translation>Die Datei jedes Sensors einmal angeben, und nur die Dateien einer einzigen Aufzeichnung</translation>
     </message>
     <message>
         <source>Give it, 1 to 10000 Hz (--rate HZ)</source>
-        <translation>Sie angeben, 1 bis 10000 Hz (--rate HZ)</translation>
+        <translation>Die Rate angeben, 1 bis 10000 Hz (--rate HZ)</translation>
     </message>
     <message>
         <source>Give it: --up y (OpenSim) or --up z (most laboratories)</source>
-        <translation>Sie angeben: --up y (OpenSim) oder --up z (die meisten Labore)</translation>
+        <translation>Die Achse angeben: --up y (OpenSim) oder --up z (die meisten Labore)</translation>
     </message>
     <message>
         <source>Give the folder that holds Inertial.csv, or the .ximu3 file</source>
@@ -2832,7 +2832,7 @@
     </message>
     <message>
         <source>Give the folder that the recording was written to</source>
-        <translation>Den Ordner angeben, in den die Aufnahme geschrieben wurde</translation>
+        <translation>Den Ordner angeben, in den die Aufzeichnung geschrieben wurde</translation>
     </message>
     <message>
         <source>Give the rate of the recording (--rate HZ)</source>
@@ -2844,11 +2844,11 @@
     </message>
     <message>
         <source>Import one recording at a time</source>
-        <translation>Eine Aufnahme nach der anderen importieren</translation>
+        <translation>Eine Aufzeichnung nach der anderen importieren</translation>
     </message>
     <message>
         <source>Import the sensors of one recording at a time</source>
-        <translation>Die Sensoren einer einzigen Aufnahme auf einmal importieren</translation>
+        <translation>Die Sensoren einer einzigen Aufzeichnung auf einmal importieren</translation>
     </message>
     <message>
         <source>Import the trial's table instead</source>
@@ -2860,7 +2860,7 @@
     </message>
     <message>
         <source>Its markers are: %1</source>
-        <translation>Ihre Marken sind: %1</translation>
+        <translation>Ihre Marker sind: %1</translation>
     </message>
     <message>
         <source>Its sensors are: %1</source>
@@ -2904,7 +2904,7 @@
     </message>
     <message>
         <source>Name the files or the folder of one recording</source>
-        <translation>Die Dateien oder den Ordner einer einzigen Aufnahme nennen</translation>
+        <translation>Die Dateien oder den Ordner einer einzigen Aufzeichnung nennen</translation>
     </message>
     <message>
         <source>Name the sensor</source>
@@ -2960,7 +2960,7 @@
     </message>
     <message>
         <source>Save it again in MATLAB or Octave with -v7</source>
-        <translation>Sie in MATLAB oder Octave noch einmal mit -v7 sichern</translation>
+        <translation>In MATLAB oder Octave noch einmal mit -v7 speichern</translation>
     </message>
     <message>
         <source>Say which columns are rates, accelerations or attitudes</source>
@@ -2980,11 +2980,11 @@
     </message>
     <message>
         <source>The devices' clocks do not run together; all were taken to begin at the same instant. Switch on synchronisation before recording</source>
-        <translation>Die Uhren der Geräte laufen nicht gemeinsam; für alle wurde derselbe Anfang angenommen. Vor der Aufnahme die Synchronisierung einschalten</translation>
+        <translation>Die Uhren der Geräte laufen nicht gemeinsam; für alle wurde derselbe Anfang angenommen. Vor der Aufzeichnung die Synchronisierung einschalten</translation>
     </message>
     <message>
         <source>The devices' clocks run together and were taken as one, as network synchronisation makes them</source>
-        <translation>Die Uhren der Geräte laufen gemeinsam und gelten als eine, wie die Synchronisierung im Netz sie macht</translation>
+        <translation>Die Uhren der Geräte laufen gemeinsam und gelten als eine, wie die Synchronisierung im Netzwerk sie macht</translation>
     </message>
     <message>
         <source>The file has no attitudes of sensors; those of its segments stand for them</source>
@@ -3008,11 +3008,11 @@
     </message>
     <message>
         <source>The markers of %1 are no list of names</source>
-        <translation>Die Marken von %1 sind keine Liste von Namen</translation>
+        <translation>Die Marker von %1 sind keine Liste von Namen</translation>
     </message>
     <message>
         <source>The sensors are of different lengths: %1 to %2 s</source>
-        <translation>Die Sensoren sind verschieden lang: %1 bis %2 s</translation>
+        <translation>Die Sensoren sind verschieden lang: %1 bis %2 s</translation>
     </message>
     <message>
         <source>The table does not say what its ground is; ENU was assumed, as MT Manager's data have it (--world opensim for tables in OpenSim's axes)</source>
@@ -3188,7 +3188,7 @@
     </message>
     <message>
         <source>it has more rows than any recording</source>
-        <translation>sie hat mehr Zeilen als irgendeine Aufnahme</translation>
+        <translation>sie hat mehr Zeilen als irgendeine Aufzeichnung</translation>
     </message>
     <message>
         <source>it has more segments, sensors, joints or frames than any suit</source>
@@ -3200,7 +3200,7 @@
     </message>
     <message>
         <source>it holds no row of markers</source>
-        <translation>sie enthält keine Zeile mit Marken</translation>
+        <translation>sie enthält keine Zeile mit Markern</translation>
     </message>
     <message>
         <source>it is XML, but no MVNX</source>
@@ -3208,7 +3208,7 @@
     </message>
     <message>
         <source>it names %1 markers</source>
-        <translation>sie nennt %1 Marken</translation>
+        <translation>sie nennt %1 Marker</translation>
     </message>
     <message>
         <source>it states no usable DataRate</source>
@@ -3216,7 +3216,7 @@
     </message>
     <message>
         <source>it unpacks to more than %1 MiB</source>
-        <translation>entpackt ist es mehr als %1 MiB groß</translation>
+        <translation>entpackt ist es mehr als %1 MiB groß</translation>
     </message>
     <message>
         <source>its clock jumps by days</source>
@@ -3264,7 +3264,7 @@
     </message>
     <message>
         <source>orientation of the recording</source>
-        <translation>Lage der Sensoren der Aufnahme</translation>
+        <translation>Lage der Sensoren der Aufzeichnung</translation>
     </message>
     <message>
         <source>point %1</source>
@@ -3292,7 +3292,7 @@
     </message>
     <message>
         <source>sensor %1 is not in the recording</source>
-        <translation>Sensor %1 kommt in der Aufnahme nicht vor</translation>
+        <translation>Sensor %1 kommt in der Aufzeichnung nicht vor</translation>
     </message>
     <message>
         <source>sensor %1 is put on %2, which no body has</source>
@@ -3332,7 +3332,7 @@
     </message>
     <message>
         <source>the usual step of its clock is %1 s</source>
-        <translation>der übliche Schritt der Uhr ist %1 s</translation>
+        <translation>der übliche Schritt der Uhr ist %1 s</translation>
     </message>
     <message>
         <source>there is no line with the columns' names</source>
@@ -3399,7 +3399,7 @@
     </message>
     <message>
         <source>%1: holds more than %2 MB, the most that is read</source>
-        <translation>%1: enthält mehr als %2 MB, das Höchste, was gelesen wird</translation>
+        <translation>%1: enthält mehr als %2 MB, das Höchste, was gelesen wird</translation>
     </message>
     <message>
         <source>Check that it is a file that you may read</source>
@@ -3458,7 +3458,7 @@
     <name>core/live</name>
     <message>
         <source>1: the paper to the letter. Unused ranges shrink the covariance, covariances between reference users are dropped, the share is by ratio.</source>
-        <translation>1: der Aufsatz wörtlich. Ungenutzte Entfernungen verkleinern die Kovarianz, Kovarianzen zwischen Bezugspersonen entfallen, der Anteil geht nach dem Verhältnis.</translation>
+        <translation>1: die Veröffentlichung wörtlich. Ungenutzte Entfernungen verkleinern die Kovarianz, Kovarianzen zwischen Bezugspersonen entfallen, der Anteil geht nach dem Verhältnis.</translation>
     </message>
     <message>
         <source>A range farther off than this many standard deviations is left out.</source>
@@ -3534,7 +3534,7 @@
     </message>
     <message>
         <source>a sample rate of %1 Hz is outside what boards can be received at</source>
-        <translation>eine Abtastrate von %1 Hz liegt außerhalb dessen, womit Platinen empfangen werden können</translation>
+        <translation>eine Abtastrate von %1 Hz liegt außerhalb dessen, womit Platinen empfangen werden können</translation>
     </message>
     <message>
         <source>estimator %1 needs a whole take</source>
@@ -3542,7 +3542,7 @@
     </message>
     <message>
         <source>extended Kalman filter with rotations on the manifold, adaptive noise and smoothers</source>
-        <translation>erweitertes Kalman-Filter mit Drehungen auf der Mannigfaltigkeit, anpassendem Rauschen und Glättung</translation>
+        <translation>erweiterter Kalman-Filter mit Drehungen auf der Mannigfaltigkeit, anpassendem Rauschen und Glättung</translation>
     </message>
     <message>
         <source>suits of independent inertial sensors: each one's orientation, then the body's pose; whole takes</source>
@@ -3550,7 +3550,7 @@
     </message>
     <message>
         <source>the Kalman filter of Vlasic 2007 to the letter, as a baseline</source>
-        <translation>das Kalman-Filter von Vlasic 2007 buchstabengetreu, als Vergleichsgrundlage</translation>
+        <translation>der Kalman-Filter von Vlasic 2007 buchstabengetreu, als Vergleichsgrundlage</translation>
     </message>
     <message>
         <source>there is no estimator '%1'</source>
@@ -3971,11 +3971,11 @@
     </message>
     <message>
         <source>reading it takes more than %1 MB of memory</source>
-        <translation>das Lesen braucht mehr als %1 MB Speicher</translation>
+        <translation>das Lesen braucht mehr als %1 MB Speicher</translation>
     </message>
     <message>
         <source>reading it took longer than %1 s</source>
-        <translation>das Lesen dauerte länger als %1 s</translation>
+        <translation>das Lesen dauerte länger als %1 s</translation>
     </message>
     <message>
         <source>this is no mesh that can be read: it holds no glTF</source>
@@ -4041,11 +4041,11 @@
     </message>
     <message>
         <source>Choose a file that was saved as a bone map</source>
-        <translation>Eine Datei wählen, die als Knochenzuordnung gesichert wurde</translation>
+        <translation>Eine Datei wählen, die als Knochenzuordnung gespeichert wurde</translation>
     </message>
     <message>
         <source>Choose a file that was saved as landmarks</source>
-        <translation>Eine Datei wählen, in der Orte der Gelenke gesichert wurden</translation>
+        <translation>Eine Datei wählen, in der Orte der Gelenke gespeichert wurden</translation>
     </message>
     <message>
         <source>Choose another bone for it</source>
@@ -4073,7 +4073,7 @@
     </message>
     <message>
         <source>Open it with that version, or map the bones again</source>
-        <translation>Sie mit dieser Version öffnen oder die Knochen neu zuordnen</translation>
+        <translation>Mit dieser Version öffnen oder die Knochen neu zuordnen</translation>
     </message>
     <message>
         <source>Reading %1</source>
@@ -4160,11 +4160,11 @@
     </message>
     <message>
         <source>Name the reference's joints as the actor does, or give the actor aliases for them</source>
-        <translation>Die Gelenke der Referenz wie die des Darstellers benennen oder dem Darsteller Aliasnamen dafür geben</translation>
+        <translation>Die Gelenke der Referenz wie in den Körpermaßen benennen oder dort Aliasnamen dafür angeben</translation>
     </message>
     <message>
         <source>Use the actor that the poses were made with</source>
-        <translation>Den Darsteller verwenden, mit dem die Posen gemacht wurden</translation>
+        <translation>Die Körpermaße verwenden, mit denen die Posen entstanden</translation>
     </message>
     <message>
         <source>Write the poses in the order of their times</source>
@@ -4211,7 +4211,7 @@
     <name>core/orientation</name>
     <message>
         <source>Orientation</source>
-        <translation>Orientierung</translation>
+        <translation>Lage der Sensoren</translation>
     </message>
     <message>
         <source>complementary filter of Miller 2004, equations 1 to 14</source>
@@ -4246,7 +4246,7 @@
     </message>
     <message>
         <source>Sensor %1 sits on no segment of the actor and is left out.</source>
-        <translation>Sensor %1 sitzt auf keinem Glied des Darstellers und wird ausgelassen.</translation>
+        <translation>Sensor %1 sitzt auf keinem Glied des Körpers und wird ausgelassen.</translation>
     </message>
     <message>
         <source>Stand still for a second, then move</source>
@@ -4262,11 +4262,11 @@
     </message>
     <message>
         <source>no sensor sits on a segment of the actor</source>
-        <translation>kein Sensor sitzt auf einem Glied des Darstellers</translation>
+        <translation>kein Sensor sitzt auf einem Glied des Körpers</translation>
     </message>
     <message>
         <source>the recording is shorter than 2 s</source>
-        <translation>die Aufnahme ist kürzer als 2 s</translation>
+        <translation>die Aufzeichnung ist kürzer als 2 s</translation>
     </message>
 </context>
 <context>
@@ -4281,7 +4281,7 @@
     </message>
     <message>
         <source>%1 and %2 sound on</source>
-        <translation>%1 und %2 tönen auf</translation>
+        <translation>%1 und %2 senden auf</translation>
     </message>
     <message>
         <source>%1 cannot be joined to the others: while the rest pose was held, too few distances to them or to the room fit. These poses are their own.</source>
@@ -4325,7 +4325,7 @@
     </message>
     <message>
         <source>%1 was skipped and keeps what it had</source>
-        <translation>%1 wurde übersprungen und behält, was sie hatte</translation>
+        <translation>%1 wurde ausgelassen und behält, was sie hatte</translation>
     </message>
     <message>
         <source>%1 wears several suits: only suit %2 is used yet.</source>
@@ -4381,15 +4381,15 @@
     </message>
     <message>
         <source>%1: has no run '%2'</source>
-        <translation>%1: hat kein Ergebnis '%2'</translation>
+        <translation>%1: hat kein Ergebnis „%2“</translation>
     </message>
     <message>
         <source>%1: has no subject '%2'</source>
-        <translation>%1: hat keine Person '%2'</translation>
+        <translation>%1: hat keinen Darsteller „%2“</translation>
     </message>
     <message>
         <source>%1: has no subject of that name</source>
-        <translation>%1: hat keine Person dieses Namens</translation>
+        <translation>%1: hat keinen Darsteller dieses Namens</translation>
     </message>
     <message>
         <source>%1: has not been processed, there is no pose run</source>
@@ -4409,7 +4409,7 @@
     </message>
     <message>
         <source>%1: holds the sound of anchors alone, whose clocks nobody joins</source>
-        <translation>%1: enthält nur den Schall von Ankern, deren Uhren niemand verbindet</translation>
+        <translation>%1: enthält nur den Ton von Ankern, deren Uhren niemand verbindet</translation>
     </message>
     <message>
         <source>%1: is not JSON</source>
@@ -4429,7 +4429,7 @@
     </message>
     <message>
         <source>%1: its performers are never seen at the same time</source>
-        <translation>%1: Die Personen sind nie gleichzeitig zu sehen</translation>
+        <translation>%1: Die Darsteller sind nie gleichzeitig zu sehen</translation>
     </message>
     <message>
         <source>%1: its suits are not counted from 1</source>
@@ -4473,11 +4473,11 @@
     </message>
     <message>
         <source>%1: the recording ends before the rest pose does. There are no poses of it.</source>
-        <translation>%1: die Aufnahme endet, bevor die Ruhehaltung zu Ende ist. Es gibt davon keine Haltungen.</translation>
+        <translation>%1: die Aufnahme endet, bevor die Ruhehaltung zu Ende ist. Es gibt davon keine Posen.</translation>
     </message>
     <message>
         <source>%1: the recording of a subject ends before the rest pose does</source>
-        <translation>%1: die Aufnahme einer Person endet, bevor die Ruhehaltung zu Ende ist</translation>
+        <translation>%1: die Aufnahme eines Darstellers endet, bevor die Ruhehaltung zu Ende ist</translation>
     </message>
     <message>
         <source>%1: the room's file has none of its anchors (%2)</source>
@@ -4509,11 +4509,11 @@
     </message>
     <message>
         <source>%1; its names, axes and zero pose are taken as they are (Y up, unit %2)</source>
-        <translation>%1; ihre Namen, Achsen und Nullhaltung werden übernommen, wie sie sind (Y nach oben, Einheit %2)</translation>
+        <translation>%1; ihre Namen, Achsen und Nullpose werden übernommen, wie sie sind (Y nach oben, Einheit %2)</translation>
     </message>
     <message>
         <source>%1carriers only %2 apart: their pulses disturb each other. 5 kHz are needed.</source>
-        <translation>%1Trägerfrequenzen, die nur %2 auseinanderliegen: ihre Pulse stören einander. 5 kHz sind nötig.</translation>
+        <translation>%1Trägerfrequenzen, die nur %2 auseinanderliegen: ihre Pulse stören einander. 5 kHz sind nötig.</translation>
     </message>
     <message>
         <source>%1it is too short or holds no sound: no pose came out</source>
@@ -4561,7 +4561,7 @@
     </message>
     <message>
         <source>Anchor %1 contradicts the other anchors: it was moved, or its place was surveyed wrongly. Survey the room again.</source>
-        <translation>Anker %1 widerspricht den anderen Ankern: er wurde bewegt, oder sein Ort wurde falsch eingemessen. Den Raum neu einmessen.</translation>
+        <translation>Anker %1 widerspricht den anderen Ankern: er wurde bewegt, oder sein Ort wurde falsch vermessen. Den Raum neu vermessen.</translation>
     </message>
     <message>
         <source>Attach one first</source>
@@ -4625,7 +4625,7 @@
     </message>
     <message>
         <source>Choose one of %1 (--subjects NAME)</source>
-        <translation>Eine von %1 wählen (--subjects NAME)</translation>
+        <translation>Einen von %1 wählen (--subjects NAME)</translation>
     </message>
     <message>
         <source>Choose one that was made of this suit; its boards begin with %1</source>
@@ -4693,7 +4693,7 @@
     </message>
     <message>
         <source>Fewer than three anchors agree with each other: several were moved, or the room was surveyed wrongly. Places and headings in the room cannot be trusted. Survey the room again.</source>
-        <translation>Weniger als drei Anker stimmen miteinander überein: Mehrere wurden bewegt, oder der Raum wurde falsch eingemessen. Orten und Richtungen im Raum ist nicht zu trauen. Den Raum neu einmessen.</translation>
+        <translation>Weniger als drei Anker stimmen miteinander überein: Mehrere wurden bewegt, oder der Raum wurde falsch vermessen. Orten und Richtungen im Raum ist nicht zu trauen. Den Raum neu vermessen.</translation>
     </message>
     <message>
         <source>Finding the clocks</source>
@@ -4717,7 +4717,7 @@
     </message>
     <message>
         <source>Give it a calibration; for readings in rad/s and m/s^2 one with zero 0 and the identity</source>
-        <translation>Ihr eine Kalibrierung geben; für Messwerte in rad/s und m/s^2 eine mit Nullpunkt 0 und der Einheitsmatrix</translation>
+        <translation>Eine Kalibrierung dazu geben; für Messwerte in rad/s und m/s^2 eine mit Nullpunkt 0 und der Einheitsmatrix</translation>
     </message>
     <message>
         <source>Give the calibration of this suit</source>
@@ -4757,7 +4757,7 @@
     </message>
     <message>
         <source>Its magnetometer may be broken or shielded; skip it</source>
-        <translation>Sein Magnetometer ist vielleicht defekt oder abgeschirmt; überspringen</translation>
+        <translation>Das Magnetometer ist vielleicht defekt oder abgeschirmt; den Sensor auslassen</translation>
     </message>
     <message>
         <source>Its runs are %1</source>
@@ -4765,7 +4765,7 @@
     </message>
     <message>
         <source>Its subjects are %1</source>
-        <translation>Ihre Personen sind %1</translation>
+        <translation>Ihre Darsteller sind %1</translation>
     </message>
     <message>
         <source>Joints in the file are elsewhere than in the take.</source>
@@ -4805,7 +4805,7 @@
     </message>
     <message>
         <source>Leave this subject out with --subjects, or record again</source>
-        <translation>Diese Person mit --subjects auslassen oder neu aufnehmen</translation>
+        <translation>Diesen Darsteller mit --subjects auslassen oder neu aufnehmen</translation>
     </message>
     <message>
         <source>Listening</source>
@@ -4829,7 +4829,7 @@
     </message>
     <message>
         <source>Measuring the sound</source>
-        <translation>Schall wird gemessen</translation>
+        <translation>Ton wird gemessen</translation>
     </message>
     <message>
         <source>Name the column %1, or give the times in seconds</source>
@@ -4857,7 +4857,7 @@
     </message>
     <message>
         <source>Nothing corrected the heading in the %1 minutes after the rest pose: estimator %2 keeps the gyroscopes' zeros of then. The heading drifts by 1 to 3° a minute, and so do joints that ranges do not back. Estimator manifold follows the zeros.</source>
-        <translation>In den %1 Minuten nach der Ruhehaltung hat nichts die Blickrichtung berichtigt: Der Schätzer %2 behält die Nullpunkte der Gyroskope von damals. Die Blickrichtung driftet um 1 bis 3° je Minute, ebenso Gelenke, die keine Abstände stützen. Der Schätzer manifold folgt den Nullpunkten.</translation>
+        <translation>In den %1 Minuten nach der Ruhehaltung hat nichts die Richtung berichtigt: Der Schätzer %2 behält die Nullpunkte der Gyroskope von damals. Die Richtung driftet um 1 bis 3° je Minute, ebenso Gelenke, die keine Entfernungen stützen. Der Schätzer manifold folgt den Nullpunkten.</translation>
     </message>
     <message>
         <source>Of %1 %2 only the first %3 are listed.</source>
@@ -4889,7 +4889,7 @@
     </message>
     <message>
         <source>Orientation of each sensor</source>
-        <translation>Orientierung jedes Sensors</translation>
+        <translation>Lage jedes Sensors</translation>
     </message>
     <message>
         <source>Points need them: take one that was recorded with anchors</source>
@@ -4909,7 +4909,7 @@
     </message>
     <message>
         <source>Process it again</source>
-        <translation>Erneut verarbeiten</translation>
+        <translation>Neu verarbeiten</translation>
     </message>
     <message>
         <source>Process it as independent sensors, by attitudes and accelerations (--estimator orientation)</source>
@@ -4921,7 +4921,7 @@
     </message>
     <message>
         <source>Process the take's sound first, or record both; attitudes that came with a recording are a run already</source>
-        <translation>Zuerst den Schall der Aufnahme verarbeiten oder beides aufnehmen; Lagen, die mit einer Aufnahme kamen, sind schon ein Ergebnis</translation>
+        <translation>Zuerst den Ton der Aufnahme verarbeiten oder beides aufnehmen; Lagen, die mit einer Aufnahme kamen, sind schon ein Ergebnis</translation>
     </message>
     <message>
         <source>Processing readings</source>
@@ -4941,7 +4941,7 @@
     </message>
     <message>
         <source>Reading sound</source>
-        <translation>Schall wird gelesen</translation>
+        <translation>Ton wird gelesen</translation>
     </message>
     <message>
         <source>Record it again</source>
@@ -4949,7 +4949,7 @@
     </message>
     <message>
         <source>Record it again, or process each subject with --between off --room off</source>
-        <translation>Neu aufnehmen oder jede Person mit --between off --room off verarbeiten</translation>
+        <translation>Neu aufnehmen oder jeden Darsteller mit --between off --room off verarbeiten</translation>
     </message>
     <message>
         <source>Record one with `noctule --batch drive --record`, or name one that `inspect` lists</source>
@@ -4965,7 +4965,7 @@
     </message>
     <message>
         <source>Record the anchors' box as a device of its own, with a suit whose segments are null</source>
-        <translation>Nehmen Sie die Box der Anker als eigenes Gerät auf, mit einem Anzug, dessen Segmente null sind</translation>
+        <translation>Nehmen Sie die Box der Anker als eigenes Gerät auf, mit einem Anzug, dessen Glieder null sind</translation>
     </message>
     <message>
         <source>Record with magnetometers switched on</source>
@@ -4985,7 +4985,7 @@
     </message>
     <message>
         <source>Root mean square over all points, as figure 3 of Welch 2018.</source>
-        <translation>Quadratisches Mittel über alle Punkte, wie Bild 3 von Welch 2018.</translation>
+        <translation>Quadratisches Mittel über alle Punkte, wie Abbildung 3 von Welch 2018.</translation>
     </message>
     <message>
         <source>Rows that could not be written</source>
@@ -5001,7 +5001,7 @@
     </message>
     <message>
         <source>Say where they sit when it is imported (--map); single sensors need no body (verb orient)</source>
-        <translation>Beim Import angeben, wo sie sitzen (--map); einzelne Sensoren brauchen keinen Körper (Verb orient)</translation>
+        <translation>Beim Import angeben, wo sie sitzen (--map); einzelne Sensoren brauchen keinen Körper (Befehl orient)</translation>
     </message>
     <message>
         <source>Sensor %1</source>
@@ -5029,7 +5029,7 @@
     </message>
     <message>
         <source>Stand still in sight of the anchors first, and see that the room's file has each of them right to 0.2 m: without that, their pulses cannot be told apart</source>
-        <translation>Zuerst in Sicht der Anker still stehen, und darauf achten, dass die Datei des Raums jeden von ihnen auf 0,2 m genau nennt: sonst sind ihre Pulse nicht auseinanderzuhalten</translation>
+        <translation>Zuerst in Sicht der Anker still stehen, und darauf achten, dass die Datei des Raums jeden von ihnen auf 0,2 m genau nennt: sonst sind ihre Pulse nicht auseinanderzuhalten</translation>
     </message>
     <message>
         <source>Stand still in the rest pose first, in sight of the others. Anchors that hang in a square look alike from four sides: hang one of them half a metre lower</source>
@@ -5045,7 +5045,7 @@
     </message>
     <message>
         <source>Suit %1 has an actor, but the take's subjects do not name it: it is left out.</source>
-        <translation>Anzug %1 hat einen Darsteller, aber die Personen der Aufnahme nennen ihn nicht: Er wird ausgelassen.</translation>
+        <translation>Anzug %1 hat Körpermaße, aber die Darsteller der Aufnahme nennen ihn nicht: Er wird ausgelassen.</translation>
     </message>
     <message>
         <source>Take --estimator comocap</source>
@@ -5077,15 +5077,15 @@
     </message>
     <message>
         <source>The clock of suit %1 cannot be found from the sound: it and the others do not hear each other well enough. Distances to it are not used.</source>
-        <translation>Die Uhr des Anzugs %1 lässt sich aus dem Schall nicht finden: Er und die anderen hören einander nicht gut genug. Abstände zu ihm werden nicht benutzt.</translation>
+        <translation>Die Uhr des Anzugs %1 lässt sich aus dem Schall nicht finden: Er und die anderen hören einander nicht gut genug. Abstände zu ihm werden nicht verwendet.</translation>
     </message>
     <message>
         <source>The clock of suit %1 cannot be joined to that of suit %2: no transceivers of both hear each other well enough. It stands alone, at the recorder's guess, which may be 5 ms off.</source>
-        <translation>Die Uhr von Anzug %1 lässt sich nicht mit der von Anzug %2 verbinden: keine Sender und Empfänger beider hören einander gut genug. Sie steht für sich, nach der Schätzung des Rekorders, die um 5 ms abweichen kann.</translation>
+        <translation>Die Uhr von Anzug %1 lässt sich nicht mit der von Anzug %2 verbinden: keine Sender und Empfänger beider hören einander gut genug. Sie steht für sich, nach der Schätzung des Rekorders, die um 5 ms abweichen kann.</translation>
     </message>
     <message>
         <source>The default actor is kept in the take, with the poses.</source>
-        <translation>Der Standarddarsteller bleibt mit den Haltungen in der Aufnahme.</translation>
+        <translation>Die Standardmaße bleiben mit den Posen in der Aufnahme.</translation>
     </message>
     <message>
         <source>The figure in the file faces another way than the performer.</source>
@@ -5117,7 +5117,7 @@
     </message>
     <message>
         <source>The nearest two points of different people: distance, and error of the vector between them, as figure 4 of Welch 2018.</source>
-        <translation>Die nächsten zwei Punkte verschiedener Personen: Abstand und Fehler des Vektors zwischen ihnen, wie Bild 4 von Welch 2018.</translation>
+        <translation>Die nächsten zwei Punkte verschiedener Personen: Abstand und Fehler des Vektors zwischen ihnen, wie Abbildung 4 von Welch 2018.</translation>
     </message>
     <message>
         <source>The performers do not hear each other: where they stand to each other comes from the room alone.</source>
@@ -5149,7 +5149,7 @@
     </message>
     <message>
         <source>The take has %1; the poses are made without.</source>
-        <translation>In der Aufnahme: %1; die Haltungen entstehen ohne.</translation>
+        <translation>In der Aufnahme: %1; die Posen entstehen ohne.</translation>
     </message>
     <message>
         <source>The take has more ranges between suits than are used for its clocks: their last rates are carried on to the end.</source>
@@ -5157,7 +5157,7 @@
     </message>
     <message>
         <source>The take names no actor: the default actor of 1.75 m is used.</source>
-        <translation>Die Aufnahme nennt keinen Darsteller: der Standarddarsteller von 1,75 m wird verwendet.</translation>
+        <translation>Die Aufnahme nennt keine Körpermaße: die Standardmaße für 1,75 m werden verwendet.</translation>
     </message>
     <message>
         <source>The take was never closed: it is being recorded, or the recording was cut short.</source>
@@ -5209,7 +5209,7 @@
     </message>
     <message>
         <source>`noctule --batch inspect` lists its subjects</source>
-        <translation>`noctule --batch inspect` zählt ihre Personen auf</translation>
+        <translation>`noctule --batch inspect` zählt ihre Darsteller auf</translation>
     </message>
     <message>
         <source>`noctule --batch inspect` shows what is in it</source>
@@ -5241,7 +5241,7 @@
     </message>
     <message>
         <source>board %1 reads at %2 Hz</source>
-        <translation>Platine %1 misst mit %2 Hz</translation>
+        <translation>Platine %1 misst mit %2 Hz</translation>
     </message>
     <message>
         <source>estimator %1 knows one body only</source>
@@ -5353,11 +5353,11 @@
     </message>
     <message>
         <source>no distances</source>
-        <translation>keine Abstände</translation>
+        <translation>keine Entfernungen</translation>
     </message>
     <message>
         <source>no distances between its subjects</source>
-        <translation>keine Entfernungen zwischen ihren Personen</translation>
+        <translation>keine Entfernungen zwischen ihren Darstellern</translation>
     </message>
     <message>
         <source>no distances between its suits are known, since their clocks cannot be found from their sound</source>
@@ -5393,7 +5393,7 @@
     </message>
     <message>
         <source>none of its boards sits on a segment of the body</source>
-        <translation>keine ihrer Platinen sitzt auf einem Segment des Körpers</translation>
+        <translation>keine ihrer Platinen sitzt auf einem Glied des Körpers</translation>
     </message>
     <message>
         <source>nothing tells where %1 stands: while the rest pose was held, too few ranges fit</source>
@@ -5405,7 +5405,7 @@
     </message>
     <message>
         <source>one calibration or actor cannot be that of several subjects</source>
-        <translation>eine Kalibrierung oder Körpermaße können nicht für mehrere Personen gelten</translation>
+        <translation>eine Kalibrierung oder Körpermaße können nicht für mehrere Darsteller gelten</translation>
     </message>
     <message>
         <source>ours</source>
@@ -5461,11 +5461,11 @@
     </message>
     <message>
         <source>the estimator lost its state at %1 s: the data contradict each other</source>
-        <translation>der Schätzer verlor seinen Zustand bei %1 s: die Daten widersprechen einander</translation>
+        <translation>der Schätzer verlor seinen Zustand bei %1 s: die Daten widersprechen einander</translation>
     </message>
     <message>
         <source>the field has %1 µT there, which the Earth's has nowhere</source>
-        <translation>das Feld hat dort %1 µT, die das der Erde nirgends hat</translation>
+        <translation>das Feld hat dort %1 µT, die das der Erde nirgends hat</translation>
     </message>
     <message>
         <source>the field's strength differs by %1 between directions</source>
@@ -5489,11 +5489,11 @@
     </message>
     <message>
         <source>the sound holds %1 boards, the suit describes %2</source>
-        <translation>der Schall enthält %1 Platinen, der Anzug beschreibt %2</translation>
+        <translation>der Ton enthält %1 Platinen, der Anzug beschreibt %2</translation>
     </message>
     <message>
         <source>the standard deviation of its zero is %1 µT</source>
-        <translation>die Standardabweichung ihres Nullpunkts ist %1 µT</translation>
+        <translation>die Standardabweichung ihres Nullpunkts ist %1 µT</translation>
     </message>
     <message>
         <source>the take holds no distances between its suits</source>
@@ -5540,7 +5540,7 @@
     </message>
     <message>
         <source>%1 s of %2 s of the sound</source>
-        <translation>%1 s von %2 s des Tons</translation>
+        <translation>%1 s von %2 s des Tons</translation>
     </message>
     <message>
         <source>%1. The list of what it had is damaged too, so more may be lost</source>
@@ -5600,11 +5600,11 @@
     </message>
     <message>
         <source>%1: is not a take, its '%2' is a %3%4 instead of a table of rows</source>
-        <translation>%1: ist keine Aufnahme, '%2' ist %3%4 statt einer Tabelle mit Zeilen</translation>
+        <translation>%1: ist keine Aufnahme, „%2“ ist %3%4 statt einer Tabelle mit Zeilen</translation>
     </message>
     <message>
         <source>%1: is not a take, its format is '%2'</source>
-        <translation>%1: ist keine Aufnahme, das Format ist '%2'</translation>
+        <translation>%1: ist keine Aufnahme, das Format ist „%2“</translation>
     </message>
     <message>
         <source>%1: its -wal file cannot be used in this folder</source>
@@ -5812,7 +5812,7 @@
     </message>
     <message>
         <source>Saved of it: %1; everything else is complete</source>
-        <translation>Davon gesichert: %1; alles Übrige ist vollständig</translation>
+        <translation>Davon gespeichert: %1; alles Übrige ist vollständig</translation>
     </message>
     <message>
         <source>Use a copy of it, if there is one</source>
@@ -5936,7 +5936,7 @@
     </message>
     <message>
         <source>is no list of subjects</source>
-        <translation>ist keine Liste von Personen</translation>
+        <translation>ist keine Liste von Darstellern</translation>
     </message>
     <message>
         <source>is not a number from %1 to %2</source>
@@ -6024,7 +6024,7 @@
     </message>
     <message>
         <source>sequence or time is missing or out of range</source>
-        <translation>Nummer oder Zeit fehlt oder liegt außerhalb der Grenzen</translation>
+        <translation>Nummer oder Zeit fehlt oder liegt außerhalb des Bereichs</translation>
     </message>
     <message>
         <source>sigma does not hold three numbers per joint</source>
@@ -6044,11 +6044,11 @@
     </message>
     <message>
         <source>subject '%1'</source>
-        <translation>Person '%1'</translation>
+        <translation>Darsteller „%1“</translation>
     </message>
     <message>
         <source>subject '%1' has no actor: suit %2 carries none</source>
-        <translation>Person '%1' hat keine Körpermaße: Anzug %2 enthält keine</translation>
+        <translation>Darsteller „%1“ hat keine Körpermaße: Anzug %2 enthält keine</translation>
     </message>
     <message>
         <source>suit %1 is named twice</source>
@@ -6076,7 +6076,7 @@
     </message>
     <message>
         <source>the boards' orientations</source>
-        <translation>den Orientierungen der Platinen</translation>
+        <translation>den Lagen der Platinen</translation>
     </message>
     <message>
         <source>the body measures</source>
@@ -6084,7 +6084,7 @@
     </message>
     <message>
         <source>the box's reports</source>
-        <translation>den Meldungen der Treiberbox</translation>
+        <translation>den Meldungen der Steuerbox</translation>
     </message>
     <message>
         <source>the clocks' offsets</source>
@@ -6200,7 +6200,7 @@
     </message>
     <message>
         <source>time is missing or out of range</source>
-        <translation>die Zeit fehlt oder liegt außerhalb der Grenzen</translation>
+        <translation>die Zeit fehlt oder liegt außerhalb des Bereichs</translation>
     </message>
     <message>
         <source>time or quaternion is missing</source>
@@ -6208,7 +6208,7 @@
     </message>
     <message>
         <source>two subjects are called '%1'</source>
-        <translation>zwei Personen heißen '%1'</translation>
+        <translation>zwei Darsteller heißen „%1“</translation>
     </message>
     <message>
         <source>with id %1</source>
@@ -6255,11 +6255,11 @@
     </message>
     <message>
         <source>The graphics driver could not link the shaders "%1"</source>
-        <translation>Der Grafiktreiber konnte die Shader "%1" nicht verbinden</translation>
+        <translation>Der Grafiktreiber konnte die Shader „%1“ nicht verbinden</translation>
     </message>
     <message>
         <source>The graphics driver refused the shader "%1": %2</source>
-        <translation>Der Grafiktreiber wies den Shader "%1" ab: %2</translation>
+        <translation>Der Grafiktreiber wies den Shader „%1“ ab: %2</translation>
     </message>
     <message>
         <source>Update the graphics driver</source>
@@ -6290,7 +6290,7 @@
     </message>
     <message>
         <source>%1 has no sensor and keeps its usual pose.</source>
-        <translation>%1 hat keinen Sensor und behält die übliche Haltung.</translation>
+        <translation>%1 hat keinen Sensor und behält die übliche Pose.</translation>
     </message>
     <message>
         <source>%1 is less certain from %2 on: ranges stopped backing it. %3</source>
@@ -6298,7 +6298,7 @@
     </message>
     <message>
         <source>%1 mm</source>
-        <translation>%1 mm</translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>%1 more than %2 off on average, worst %3 with %4.</source>
@@ -6306,15 +6306,15 @@
     </message>
     <message>
         <source>%1 of %2 anchors are placed, the weakest to ±%3 mm. %4</source>
-        <translation>%1 von %2 Ankern sind eingemessen, der schwächste auf ±%3 mm. %4</translation>
+        <translation>%1 von %2 Ankern sind vermessen, der schwächste auf ±%3 mm. %4</translation>
     </message>
     <message>
         <source>%1 of %2 magnetometers calibrated; the field's strength is even to %3 %</source>
-        <translation>%1 von %2 Magnetometern kalibriert; die Feldstärke ist auf %3 % gleichmäßig</translation>
+        <translation>%1 von %2 Magnetometern kalibriert; die Feldstärke ist auf %3 % gleichmäßig</translation>
     </message>
     <message>
         <source>%1 of %2 were backed by ranges in at least 90 % of the frames. Less: %3.</source>
-        <translation>%1 von %2 wurden in mindestens 90 % der Bilder von Entfernungen gestützt. Weniger: %3.</translation>
+        <translation>%1 von %2 wurden in mindestens 90 % der Bilder von Entfernungen gestützt. Weniger: %3.</translation>
     </message>
     <message>
         <source>%1 of the readings are present</source>
@@ -6322,7 +6322,7 @@
     </message>
     <message>
         <source>%1 s of movement</source>
-        <translation>%1 s Bewegung</translation>
+        <translation>%1 s Bewegung</translation>
     </message>
     <message>
         <source>%1 was told by no sensor for %2 of the time.</source>
@@ -6362,7 +6362,7 @@
     </message>
     <message>
         <source>%1: mean %2, %3 ranges used, %4 rejected, %5</source>
-        <translation>%1: im Mittel %2, %3 Entfernungen benutzt, %4 verworfen, %5</translation>
+        <translation>%1: im Mittel %2, %3 Entfernungen verwendet, %4 verworfen, %5</translation>
     </message>
     <message>
         <source>%1delivered %2 of its readings. Check its plug and cable.</source>
@@ -6402,11 +6402,11 @@
     </message>
     <message>
         <source>A stands for accelerometers, G for gyroscopes and D for distances.</source>
-        <translation>A steht für Beschleunigungssensoren, G für Gyroskope und D für Abstände.</translation>
+        <translation>A steht für Beschleunigungssensoren, G für Gyroskope und D für Entfernungen (distances).</translation>
     </message>
     <message>
         <source>A third of the ranges miss the pose by more than %1: a board or a source sits elsewhere than its calibration says, or the source offsets are another box's.</source>
-        <translation>Ein Drittel der Entfernungen verfehlt die Pose um mehr als %1: Eine Platine oder Quelle sitzt anders, als ihre Kalibrierung sagt, oder die Quellenversätze gehören zu einer anderen Box.</translation>
+        <translation>Ein Drittel der Entfernungen verfehlt die Pose um mehr als %1: Eine Platine oder Quelle sitzt anders, als ihre Kalibrierung sagt, oder der Quellenversatz gehört zu einer anderen Box.</translation>
     </message>
     <message>
         <source>AGD</source>
@@ -6426,7 +6426,7 @@
     </message>
     <message>
         <source>Accelerometers, gyroscopes and distances; A+G+D means all three</source>
-        <translation>Beschleunigungssensoren, Gyroskope und Abstände; A+G+D heißt alle drei</translation>
+        <translation>Beschleunigungssensoren, Gyroskope und Entfernungen; A+G+D heißt alle drei</translation>
     </message>
     <message>
         <source>Actor</source>
@@ -6458,7 +6458,7 @@
     </message>
     <message>
         <source>Angle between the estimated and the reference orientation of a joint</source>
-        <translation>Winkel zwischen der geschätzten Ausrichtung eines Gelenks und der der Referenz</translation>
+        <translation>Winkel zwischen der geschätzten Orientierung eines Gelenks und der der Referenz</translation>
     </message>
     <message>
         <source>Angle between the estimated and the reference orientation over time</source>
@@ -6466,7 +6466,7 @@
     </message>
     <message>
         <source>Angle between the estimated and the reference rotation of each joint, of run %1. Curves are Cardan angles in the order Z, X, Y from the T pose, named as the ISB names them; an angle is positive in the direction of its name.</source>
-        <translation>Winkel zwischen geschätzter und Referenzdrehung jedes Gelenks, von Ergebnis %1. Kurven sind Kardanwinkel in der Reihenfolge Z, X, Y ab der T-Haltung, benannt wie von der ISB; ein Winkel ist positiv in der Richtung seines Namens.</translation>
+        <translation>Winkel zwischen geschätzter und Referenzdrehung jedes Gelenks, von Ergebnis %1. Kurven sind Kardanwinkel in der Reihenfolge Z, X, Y ab der T-Pose, benannt wie von der ISB; ein Winkel ist positiv in der Richtung seines Namens.</translation>
     </message>
     <message>
         <source>Angle, degrees</source>
@@ -6542,7 +6542,7 @@
     </message>
     <message>
         <source>Compared over %1 in %2 after %3 s of rest. Good: mean under %4 and no joint over %5; usable: mean under %6.</source>
-        <translation>Verglichen über %1 in %2 nach %3 s Ruhe. Gut: Mittel unter %4 und kein Gelenk über %5; brauchbar: Mittel unter %6.</translation>
+        <translation>Verglichen über %1 in %2 nach %3 s Ruhe. Gut: Mittel unter %4 und kein Gelenk über %5; brauchbar: Mittel unter %6.</translation>
     </message>
     <message>
         <source>Confidence</source>
@@ -6598,7 +6598,7 @@
     </message>
     <message>
         <source>Each distance measured with offsets made without it. The paper had 2.35 mm in the mean, 1.92 mm deviation.</source>
-        <translation>Jede Entfernung, gemessen mit Versätzen, die ohne sie entstanden. Die Arbeit nannte 2,35 mm im Mittel, 1,92 mm Abweichung.</translation>
+        <translation>Jede Entfernung, gemessen mit Versätzen, die ohne sie entstanden. Die Veröffentlichung nannte 2,35 mm im Mittel, 1,92 mm Abweichung.</translation>
     </message>
     <message>
         <source>Error of every distance</source>
@@ -6638,11 +6638,11 @@
     </message>
     <message>
         <source>Every joint was backed by ranges in at least 90 % of the frames.</source>
-        <translation>Jedes Gelenk wurde in mindestens 90 % der Bilder von Entfernungen gestützt.</translation>
+        <translation>Jedes Gelenk wurde in mindestens 90 % der Bilder von Entfernungen gestützt.</translation>
     </message>
     <message>
         <source>Extended Kalman filter</source>
-        <translation>Erweitertes Kalman-Filter</translation>
+        <translation>Erweiterter Kalman-Filter</translation>
     </message>
     <message>
         <source>Factor on the length that the performer's measures give.</source>
@@ -6682,7 +6682,7 @@
     </message>
     <message>
         <source>Gyroscopes of %1 boards; the table turned at %2 rpm%3</source>
-        <translation>Gyroskope von %1 Platinen; der Drehteller lief mit %2 U/min%3</translation>
+        <translation>Gyroskope von %1 Platinen; der Drehteller lief mit %2 U/min%3</translation>
     </message>
     <message>
         <source>Half of the values lie below it</source>
@@ -6722,7 +6722,7 @@
     </message>
     <message>
         <source>How each sits on its segment. A turn about the vertical cannot be seen in a rest pose: headings stay as the suit's file has them.</source>
-        <translation>Wie jede auf ihrem Segment sitzt. Eine Drehung um die Senkrechte ist in einer Ruhehaltung nicht zu sehen: Richtungen bleiben, wie die Anzugdatei sie hat.</translation>
+        <translation>Wie jede auf ihrem Glied sitzt. Eine Drehung um die Senkrechte ist in einer Ruhehaltung nicht zu sehen: Richtungen bleiben, wie die Anzugdatei sie hat.</translation>
     </message>
     <message>
         <source>How each sits on its segment. A turn that no movement shows keeps the sigma that the rest pose leaves it: of hands, feet and head, and of a limb about its own bone.</source>
@@ -6758,7 +6758,7 @@
     </message>
     <message>
         <source>How much later the other one takes each for; 1 µs is a third of a millimetre.</source>
-        <translation>Wie viel später die andere jede ansetzt; 1 µs ist ein drittel Millimeter.</translation>
+        <translation>Wie viel später die andere jede ansetzt; 1 µs ist ein drittel Millimeter.</translation>
     </message>
     <message>
         <source>How often ranges backed each joint is not known for this run.</source>
@@ -6806,7 +6806,7 @@
     </message>
     <message>
         <source>Judged by what the angles rest on. Good: ranges back the joints %1 of the time and fit the pose within %2 mm; usable: %3 and %4 mm.</source>
-        <translation>Beurteilt danach, worauf die Winkel beruhen. Gut: Entfernungen stützen die Gelenke %1 der Zeit und passen auf %2 mm zur Pose; brauchbar: %3 und %4 mm.</translation>
+        <translation>Beurteilt danach, worauf die Winkel beruhen. Gut: Entfernungen stützen die Gelenke %1 der Zeit und passen auf %2 mm zur Pose; brauchbar: %3 und %4 mm.</translation>
     </message>
     <message>
         <source>Left</source>
@@ -6842,7 +6842,7 @@
     </message>
     <message>
         <source>Level</source>
-        <translation>Ebene</translation>
+        <translation>Datenart</translation>
     </message>
     <message>
         <source>Lost</source>
@@ -6962,7 +6962,7 @@
     </message>
     <message>
         <source>No signal for %1 s in one piece: the pose is a guess there.</source>
-        <translation>%1 s am Stück ohne Signal: Die Pose ist dort geraten.</translation>
+        <translation>%1 s am Stück ohne Signal: Die Pose ist dort geraten.</translation>
     </message>
     <message>
         <source>Noctule</source>
@@ -7162,7 +7162,7 @@
     </message>
     <message>
         <source>SD is the standard deviation, RMS the root mean square. Half of the time a joint errs less than its median, 95 % of the time less than the value so headed. NEES compares the errors with what the filter says about them: 1 is honest, more is too sure. Position is that of the joint in the frame of the pelvis, so it gathers the errors of all joints above.</source>
-        <translation>SD ist die Standardabweichung, RMS das quadratische Mittel. Die Hälfte der Zeit irrt ein Gelenk um weniger als seinen Median, 95 % der Zeit um weniger als den Wert dieser Überschrift. NEES vergleicht die Fehler mit dem, was das Filter über sie sagt: 1 ist ehrlich, mehr ist zu sicher. Position ist die des Gelenks im Bezugssystem des Beckens, sammelt also die Fehler aller Gelenke darüber.</translation>
+        <translation>SD ist die Standardabweichung, RMS das quadratische Mittel. Die Hälfte der Zeit irrt ein Gelenk um weniger als seinen Median, 95 % der Zeit um weniger als den Wert dieser Überschrift. NEES vergleicht die Fehler mit dem, was der Filter über sie sagt: 1 ist ehrlich, mehr ist zu sicher. Position ist die des Gelenks im Bezugssystem des Beckens, sammelt also die Fehler aller Gelenke darüber.</translation>
     </message>
     <message>
         <source>Sample rate</source>
@@ -7226,7 +7226,7 @@
     </message>
     <message>
         <source>Source offsets</source>
-        <translation>Quellenversätze</translation>
+        <translation>Quellenversatz</translation>
     </message>
     <message>
         <source>Sources</source>
@@ -7234,7 +7234,7 @@
     </message>
     <message>
         <source>Sources in use by board over time</source>
-        <translation>Benutzte Quellen je Platine über der Zeit</translation>
+        <translation>Verwendete Quellen je Platine über der Zeit</translation>
     </message>
     <message>
         <source>Sources in use, by board over time</source>
@@ -7246,7 +7246,7 @@
     </message>
     <message>
         <source>Squared errors over what the filter expects of them: 1 is honest, more is too sure</source>
-        <translation>Quadrierte Fehler im Verhältnis zu dem, was das Filter von ihnen erwartet: 1 ist ehrlich, mehr ist zu sicher</translation>
+        <translation>Quadrierte Fehler im Verhältnis zu dem, was der Filter von ihnen erwartet: 1 ist ehrlich, mehr ist zu sicher</translation>
     </message>
     <message>
         <source>Standard deviation (SD)</source>
@@ -7258,15 +7258,15 @@
     </message>
     <message>
         <source>Standard deviations of the worst axis. Good: zeros within 0.02 °/s, slopes within 0.03 %.</source>
-        <translation>Standardabweichungen der schlechtesten Achse. Gut: Nullpunkte auf 0,02 °/s, Steigungen auf 0,03 %.</translation>
+        <translation>Standardabweichungen der schlechtesten Achse. Gut: Nullpunkte auf 0,02 °/s, Steigungen auf 0,03 %.</translation>
     </message>
     <message>
         <source>Standard deviations of the worst axis. Good: zeros within 2 mg, slopes within 0.04 %.</source>
-        <translation>Standardabweichungen der schlechtesten Achse. Gut: Nullpunkte auf 2 mg, Steigungen auf 0,04 %.</translation>
+        <translation>Standardabweichungen der schlechtesten Achse. Gut: Nullpunkte auf 2 mg, Steigungen auf 0,04 %.</translation>
     </message>
     <message>
         <source>Still check</source>
-        <translation>Kontrolle im Stillstehen</translation>
+        <translation>Kontrolle im Stehen</translation>
     </message>
     <message>
         <source>Summary</source>
@@ -7282,7 +7282,7 @@
     </message>
     <message>
         <source>The angle between a joint's two orientations, in the mean and below what it is for 95 % of the time. The shown run is %1. Which of two runs is right only a reference tells.</source>
-        <translation>Der Winkel zwischen den beiden Orientierungen eines Gelenks, im Mittel und der Wert, unter dem er 95 % der Zeit liegt. Das gezeigte Ergebnis ist %1. Welches von zwei Ergebnissen stimmt, sagt nur eine Referenz.</translation>
+        <translation>Der Winkel zwischen den beiden Orientierungen eines Gelenks, im Mittel und der Wert, unter dem er 95 % der Zeit liegt. Das gezeigte Ergebnis ist %1. Welches von zwei Ergebnissen stimmt, sagt nur eine Referenz.</translation>
     </message>
     <message>
         <source>The calibration no longer holds</source>
@@ -7294,23 +7294,23 @@
     </message>
     <message>
         <source>The filter is too sure of itself: its errors are %1 times as large as it says (NEES %2 instead of 1).</source>
-        <translation>Das Filter ist sich zu sicher: seine Fehler sind %1-mal so groß, wie es sagt (NEES %2 statt 1).</translation>
+        <translation>Der Filter ist sich zu sicher: seine Fehler sind %1-mal so groß, wie er sagt (NEES %2 statt 1).</translation>
     </message>
     <message>
         <source>The filter rejected %1 of the ranges it tried: a wrong source offset, a board out of place or a pose that has been lost.</source>
-        <translation>Das Filter verwarf %1 der Entfernungen, die es prüfte: ein falscher Quellenversatz, eine verrutschte Platine oder eine verlorene Pose.</translation>
+        <translation>Der Filter verwarf %1 der Entfernungen, die er prüfte: ein falscher Quellenversatz, eine verrutschte Platine oder eine verlorene Pose.</translation>
     </message>
     <message>
         <source>The method that makes poses of readings and ranges: Noctule (manifold) is this program's own, Vlasic 2007 (paper) is that of a publication</source>
-        <translation>Das Verfahren, das aus Messwerten und Abständen Posen macht: Noctule (manifold) ist das eigene dieses Programms, Vlasic 2007 (paper) das einer Veröffentlichung</translation>
+        <translation>Das Verfahren, das aus Messwerten und Entfernungen Posen macht: Noctule (manifold) ist das eigene dieses Programms, Vlasic 2007 (paper) das einer Veröffentlichung</translation>
     </message>
     <message>
         <source>The origin is where %1 stood in the rest pose, facing +z; level to %2°, floor to %3 mm</source>
-        <translation>Der Ursprung ist, wo %1 in der Ruhehaltung stand, mit Blick nach +z; waagerecht auf %2°, Boden auf %3 mm</translation>
+        <translation>Der Ursprung ist, wo %1 in der Ruhehaltung stand, mit Blick nach +z; waagrecht auf %2°, Boden auf %3 mm</translation>
     </message>
     <message>
         <source>The paper's rows are its Table 1: another motion, performer and suit, 30 s against an optical system. They are a scale to read ours by and no contest. Its neck is our head joint.</source>
-        <translation>Die Zeilen der Arbeit sind ihre Tabelle 1: andere Bewegung, anderer Darsteller und Anzug, 30 s gegen ein optisches System. Sie sind ein Maßstab, um unsere zu lesen, und kein Wettstreit. Ihr Hals ist unser Kopfgelenk.</translation>
+        <translation>Die Zeilen der Veröffentlichung sind ihre Tabelle 1: andere Bewegung, anderer Darsteller und Anzug, 30 s gegen ein optisches System. Sie sind ein Maßstab, um unsere zu lesen, und kein Wettstreit. Ihr Hals ist unser Kopfgelenk.</translation>
     </message>
     <message>
         <source>The pelvis, which carries the body: free is estimated, given is measured by another system</source>
@@ -7446,7 +7446,7 @@
     </message>
     <message>
         <source>Without ranges a joint follows its gyroscope, which drifts by 1 to 3° a minute.</source>
-        <translation>Ohne Entfernungen folgt ein Gelenk seinem Gyroskop, das 1 bis 3° je Minute driftet.</translation>
+        <translation>Ohne Entfernungen folgt ein Gelenk seinem Gyroskop, das um 1 bis 3° je Minute driftet.</translation>
     </message>
     <message>
         <source>Words of this report</source>
@@ -7458,7 +7458,7 @@
     </message>
     <message>
         <source>a distance is right within %1 mm in the mean</source>
-        <translation>eine Entfernung stimmt im Mittel auf %1 mm</translation>
+        <translation>eine Entfernung stimmt im Mittel auf %1 mm</translation>
     </message>
     <message>
         <source>accelerometer's zero, mg</source>
@@ -7494,7 +7494,7 @@
     </message>
     <message>
         <source>at least %1 %</source>
-        <translation>mindestens %1 %</translation>
+        <translation>mindestens %1 %</translation>
     </message>
     <message>
         <source>at least 1</source>
@@ -7514,7 +7514,7 @@
     </message>
     <message>
         <source>between %1 and %2 µT</source>
-        <translation>zwischen %1 und %2 µT</translation>
+        <translation>zwischen %1 und %2 µT</translation>
     </message>
     <message>
         <source>boards heard</source>
@@ -7590,7 +7590,7 @@
     </message>
     <message>
         <source>extended Kalman filter</source>
-        <translation>erweitertes Kalman-Filter</translation>
+        <translation>erweiterter Kalman-Filter</translation>
     </message>
     <message>
         <source>external rotation</source>
@@ -7654,11 +7654,11 @@
     </message>
     <message>
         <source>heading, sigma, °</source>
-        <translation>Richtung, σ, °</translation>
+        <translation>Richtung, Sigma, °</translation>
     </message>
     <message>
         <source>heard but unused</source>
-        <translation>gehört, aber unbenutzt</translation>
+        <translation>gehört, aber nicht verwendet</translation>
     </message>
     <message>
         <source>height, m</source>
@@ -7730,7 +7730,7 @@
     </message>
     <message>
         <source>mounting, °</source>
-        <translation>Befestigung, °</translation>
+        <translation>Sitz, °</translation>
     </message>
     <message>
         <source>no distance could be judged</source>
@@ -7746,7 +7746,7 @@
     </message>
     <message>
         <source>no residual</source>
-        <translation>kein Residuum</translation>
+        <translation>kein Restfehler</translation>
     </message>
     <message>
         <source>no source</source>
@@ -7790,7 +7790,7 @@
     </message>
     <message>
         <source>range residual, median of the ranges used</source>
-        <translation>Abweichung der Abstände, Median der verwendeten</translation>
+        <translation>Restfehler der Entfernungen, Median der verwendeten</translation>
     </message>
     <message>
         <source>ranges %1, inertia alone %2</source>
@@ -7802,11 +7802,11 @@
     </message>
     <message>
         <source>rejected by the gate</source>
-        <translation>von der Schranke verworfen</translation>
+        <translation>vom Filter verworfen</translation>
     </message>
     <message>
         <source>residual %1 mm</source>
-        <translation>Residuum %1 mm</translation>
+        <translation>Restfehler %1 mm</translation>
     </message>
     <message>
         <source>residual rms, mm</source>
@@ -7862,7 +7862,7 @@
     </message>
     <message>
         <source>sigma, °</source>
-        <translation>σ, °</translation>
+        <translation>Sigma, °</translation>
     </message>
     <message>
         <source>source %1%2</source>
@@ -7898,7 +7898,7 @@
     </message>
     <message>
         <source>the paper</source>
-        <translation>die Arbeit</translation>
+        <translation>die Veröffentlichung</translation>
     </message>
     <message>
         <source>the same, rms without echoes</source>
@@ -7966,15 +7966,15 @@
     </message>
     <message>
         <source>under %1 %</source>
-        <translation>unter %1 %</translation>
+        <translation>unter %1 %</translation>
     </message>
     <message>
         <source>under %1 mm</source>
-        <translation>unter %1 mm</translation>
+        <translation>unter %1 mm</translation>
     </message>
     <message>
         <source>under %1 µT</source>
-        <translation>unter %1 µT</translation>
+        <translation>unter %1 µT</translation>
     </message>
     <message>
         <source>with outliers</source>
@@ -8021,7 +8021,7 @@
     </message>
     <message>
         <source>%1: sound can be shown for 10 s at most</source>
-        <translation>%1: Ton lässt sich für höchstens 10 s zeigen</translation>
+        <translation>%1: Ton lässt sich für höchstens 10 s zeigen</translation>
     </message>
     <message>
         <source>: holds no reference</source>
@@ -8057,7 +8057,7 @@
     </message>
     <message>
         <source>Process the take again</source>
-        <translation>Die Aufnahme erneut verarbeiten</translation>
+        <translation>Aufnahme neu verarbeiten</translation>
     </message>
     <message>
         <source>Reading the sound</source>
@@ -8069,7 +8069,7 @@
     </message>
     <message>
         <source>Widen the plot</source>
-        <translation>Die Kurve breiter machen</translation>
+        <translation>Das Diagramm breiter machen</translation>
     </message>
     <message>
         <source>Zoom in on a shorter time</source>
@@ -8084,11 +8084,11 @@
     </message>
     <message>
         <source>%1 joints move between "%2" and "%3"</source>
-        <translation>%1 Gelenke bewegen sich zwischen "%2" und "%3"</translation>
+        <translation>%1 Gelenke bewegen sich zwischen „%2“ und „%3“</translation>
     </message>
     <message>
         <source>%1 would come too near; the arms brake. Move them apart.</source>
-        <translation>%1 kämen sich zu nah; die Arme bremsen. Sie auseinandernehmen.</translation>
+        <translation>%1 kämen sich zu nah; die Arme bremsen. Die Arme auseinandernehmen.</translation>
     </message>
     <message>
         <source>%1: is no usable URDF%2</source>
@@ -8148,7 +8148,7 @@
     </message>
     <message>
         <source>Dashed: %1. Line: %2. Axes of the chest: X to the left, Y up, Z ahead. A division is 100 mm.</source>
-        <translation>Gestrichelt: %1. Linie: %2. Achsen der Brust: X nach links, Y nach oben, Z nach vorn. Ein Teilstrich ist 100 mm.</translation>
+        <translation>Gestrichelt: %1. Linie: %2. Achsen der Brust: X nach links, Y nach oben, Z nach vorn. Ein Teilstrich ist 100 mm.</translation>
     </message>
     <message>
         <source>Drive its arms alone, or name the joints in the profile</source>
@@ -8284,7 +8284,7 @@
     </message>
     <message>
         <source>The robot does not answer; it is told to hold. Check its program and the network.</source>
-        <translation>Der Roboter antwortet nicht; er soll halten. Sein Programm und das Netz prüfen.</translation>
+        <translation>Der Roboter antwortet nicht; er soll halten. Sein Programm und das Netzwerk prüfen.</translation>
     </message>
     <message>
         <source>The robot refuses: the command is too far from where it is. Commands go back to it; then engage again.</source>
@@ -8332,19 +8332,19 @@
     </message>
     <message>
         <source>joint "%1" in the chain follows another joint</source>
-        <translation>Gelenk "%1" in der Kette folgt einem anderen Gelenk</translation>
+        <translation>Gelenk „%1“ in der Kette folgt einem anderen Gelenk</translation>
     </message>
     <message>
         <source>joint "%1" is not in arm %2</source>
-        <translation>Gelenk "%1" gehört nicht zu Arm %2</translation>
+        <translation>Gelenk „%1“ gehört nicht zu Arm %2</translation>
     </message>
     <message>
         <source>joint "%1" mimics a joint that mimics too</source>
-        <translation>Gelenk "%1" ahmt ein Gelenk nach, das selbst nachahmt</translation>
+        <translation>Gelenk „%1“ ahmt ein Gelenk nach, das selbst nachahmt</translation>
     </message>
     <message>
         <source>joint "%1" mimics no joint that is there</source>
-        <translation>Gelenk "%1" ahmt kein vorhandenes Gelenk nach</translation>
+        <translation>Gelenk „%1“ ahmt kein vorhandenes Gelenk nach</translation>
     </message>
     <message>
         <source>joint %1 names no %2 link that is there%3</source>
@@ -8356,7 +8356,7 @@
     </message>
     <message>
         <source>link "%1" does not hang below link "%2"</source>
-        <translation>Link "%1" hängt nicht unter Link "%2"</translation>
+        <translation>Link „%1“ hängt nicht unter Link „%2“</translation>
     </message>
     <message>
         <source>link %1 hangs below itself: the robot has a loop</source>
@@ -8432,7 +8432,7 @@
     </message>
     <message>
         <source>the performer has no two whole legs</source>
-        <translation>die Person hat keine zwei ganzen Beine</translation>
+        <translation>der Darsteller hat keine zwei ganzen Beine</translation>
     </message>
     <message>
         <source>the profile does not fit the robot: %1</source>
@@ -8440,15 +8440,15 @@
     </message>
     <message>
         <source>the reference of joint "%1" is outside its limits</source>
-        <translation>die Referenz von Gelenk "%1" liegt außerhalb seiner Grenzen</translation>
+        <translation>die Referenz von Gelenk „%1“ liegt außerhalb seiner Grenzen</translation>
     </message>
     <message>
         <source>the robot has no joint "%1"</source>
-        <translation>der Roboter hat kein Gelenk "%1"</translation>
+        <translation>der Roboter hat kein Gelenk „%1“</translation>
     </message>
     <message>
         <source>the velocity limit of joint "%1" is beyond 100 rad/s and says nothing; the profile's limit holds</source>
-        <translation>die Geschwindigkeitsgrenze von Gelenk "%1" liegt über 100 rad/s und besagt nichts; es gilt die Grenze des Profils</translation>
+        <translation>die Geschwindigkeitsgrenze von Gelenk „%1“ liegt über 100 rad/s und besagt nichts; es gilt die Grenze des Profils</translation>
     </message>
     <message>
         <source>the velocity limit of joint %1 is not above 0</source>
@@ -8456,18 +8456,18 @@
     </message>
     <message>
         <source>there is no link "%1"</source>
-        <translation>es gibt keinen Link "%1"</translation>
+        <translation>es gibt keinen Link „%1“</translation>
     </message>
     <message>
         <source>upper arm or forearm of arm %1 is shorter than 1 cm</source>
-        <translation>Ober- oder Unterarm von Arm %1 ist kürzer als 1 cm</translation>
+        <translation>Ober- oder Unterarm von Arm %1 ist kürzer als 1 cm</translation>
     </message>
 </context>
 <context>
     <name>core/robot_film</name>
     <message>
         <source>%1 of %2 meshes are not there; capsules stand for their links</source>
-        <translation>%1 von %2 Netzen fehlen; Kapseln stehen für ihre Glieder</translation>
+        <translation>%1 von %2 Netzen fehlen; Kapseln stehen für ihre Links</translation>
     </message>
     <message>
         <source>Reading meshes of the robot</source>
@@ -8486,19 +8486,19 @@
     </message>
     <message>
         <source>Anchor %1 is weak, ±%2 mm</source>
-        <translation>Anker %1 ist schwach, ±%2 mm</translation>
+        <translation>Anker %1 ist schwach, ±%2 mm</translation>
     </message>
     <message>
         <source>Anchor %1 may as well hang at a second place, its mirror image: the ranges do not tell which</source>
-        <translation>Anker %1 kann ebenso an einem zweiten Platz hängen, seinem Spiegelbild: Die Abstände sagen nicht, an welchem</translation>
+        <translation>Anker %1 kann ebenso an einem zweiten Platz hängen, seinem Spiegelbild: Die Entfernungen sagen nicht, an welchem</translation>
     </message>
     <message>
         <source>Anchor %1 was heard too rarely to be placed</source>
-        <translation>Anker %1 wurde zu selten gehört, um eingemessen zu werden</translation>
+        <translation>Anker %1 wurde zu selten gehört, um vermessen zu werden</translation>
     </message>
     <message>
         <source>Anchor %1 was moved by %2 m, %3 s into the take</source>
-        <translation>Anker %1 wurde um %2 m bewegt, %3 s nach Beginn der Aufnahme</translation>
+        <translation>Anker %1 wurde um %2 m bewegt, %3 s nach Beginn der Aufnahme</translation>
     </message>
     <message>
         <source>Anchor %1 was never heard</source>
@@ -8526,11 +8526,11 @@
     </message>
     <message>
         <source>Nobody walked past the anchors: place, heading, level and which of two mirror images it is are taken from the room's file</source>
-        <translation>Niemand ist an den Ankern vorbeigegangen: Ort, Richtung, Waagerechte und welches der beiden Spiegelbilder es ist, stammen aus der Raumdatei</translation>
+        <translation>Niemand ist an den Ankern vorbeigegangen: Ort, Richtung, Waagrechte und welches der beiden Spiegelbilder es ist, stammen aus der Raumdatei</translation>
     </message>
     <message>
         <source>Only %1 anchors were heard well enough, a survey needs three; hardly heard: %2</source>
-        <translation>Nur %1 Anker wurden gut genug gehört, eine Einmessung braucht drei; kaum gehört: %2</translation>
+        <translation>Nur %1 Anker wurden gut genug gehört, eine Vermessung braucht drei; kaum gehört: %2</translation>
     </message>
     <message>
         <source>Only %1 of the six freedoms of the whole room are held</source>
@@ -8566,7 +8566,7 @@
     </message>
     <message>
         <source>Surveying the room</source>
-        <translation>Der Raum wird eingemessen</translation>
+        <translation>Der Raum wird vermessen</translation>
     </message>
     <message>
         <source>The anchors hardly hear each other, and nobody in a suit walked past them</source>
@@ -8582,7 +8582,7 @@
     </message>
     <message>
         <source>The distances disagree by %1 mm in the median</source>
-        <translation>Die Abstände widersprechen sich im Median um %1 mm</translation>
+        <translation>Die Abstände widersprechen sich im Median um %1 mm</translation>
     </message>
     <message>
         <source>The distances do not hold the anchors together</source>
@@ -8590,11 +8590,11 @@
     </message>
     <message>
         <source>The room has %1 anchors, a survey needs three</source>
-        <translation>Der Raum hat %1 Anker, eine Einmessung braucht drei</translation>
+        <translation>Der Raum hat %1 Anker, eine Vermessung braucht drei</translation>
     </message>
     <message>
         <source>The survey did not come to an end</source>
-        <translation>Die Einmessung kam zu keinem Ende</translation>
+        <translation>Die Vermessung kam zu keinem Ende</translation>
     </message>
     <message>
         <source>Use it, or walk once more past the others</source>
@@ -8625,15 +8625,15 @@
     <name>core/sensor_calibration</name>
     <message>
         <source>Lay it down for two seconds each in 12 positions or more, also with %1 upward</source>
-        <translation>Sie je zwei Sekunden lang in 12 oder mehr Stellungen hinlegen, auch mit %1 nach oben</translation>
+        <translation>Je zwei Sekunden lang in 12 oder mehr Stellungen hinlegen, auch mit %1 nach oben</translation>
     </message>
     <message>
         <source>Lay it down with %1 upward too</source>
-        <translation>Sie auch mit %1 nach oben hinlegen</translation>
+        <translation>Auch mit %1 nach oben hinlegen</translation>
     </message>
     <message>
         <source>Lay it on something firm and let go of it</source>
-        <translation>Sie auf etwas Festes legen und loslassen</translation>
+        <translation>Auf etwas Festes legen und loslassen</translation>
     </message>
     <message>
         <source>Record a minute in which the board is turned through all directions</source>
@@ -8649,11 +8649,11 @@
     </message>
     <message>
         <source>Turn it by half a turn and more about each axis between positions</source>
-        <translation>Sie zwischen den Stellungen um jede Achse eine halbe Umdrehung oder mehr drehen</translation>
+        <translation>Zwischen den Stellungen um jede Achse eine halbe Umdrehung oder mehr drehen</translation>
     </message>
     <message>
         <source>Turn it more slowly, below its full scale, and about all axes</source>
-        <translation>Sie langsamer drehen, unterhalb des Messbereichsendes, und um alle Achsen</translation>
+        <translation>Langsamer drehen, unterhalb des Messbereichsendes, und um alle Achsen</translation>
     </message>
     <message>
         <source>Turn the board about all its axes, slowly, in one place</source>
@@ -8665,7 +8665,7 @@
     </message>
     <message>
         <source>gravity differs between positions by %1 m/s^2 after the fit</source>
-        <translation>die Schwerkraft unterscheidet sich nach der Anpassung zwischen Stellungen um %1 m/s^2</translation>
+        <translation>die Schwerkraft unterscheidet sich nach der Anpassung zwischen Stellungen um %1 m/s^2</translation>
     </message>
     <message>
         <source>it lay still in %1 different positions</source>
@@ -8720,7 +8720,7 @@
     </message>
     <message>
         <source>%1: a take cannot be called "%2"</source>
-        <translation>%1: eine Aufnahme kann nicht "%2" heißen</translation>
+        <translation>%1: eine Aufnahme kann nicht „%2“ heißen</translation>
     </message>
     <message>
         <source>%1: another take has this name by now</source>
@@ -8855,7 +8855,7 @@
     <name>core/simulation</name>
     <message>
         <source>%1 and %2 both sound at %3%4, and only carriers 5 kHz apart can be told from each other</source>
-        <translation>%1 und %2 klingen beide bei %3%4, und nur Trägerfrequenzen im Abstand von 5 kHz lassen sich unterscheiden</translation>
+        <translation>%1 und %2 senden beide auf %3%4, und nur Trägerfrequenzen im Abstand von 5 kHz lassen sich unterscheiden</translation>
     </message>
     <message>
         <source>%1 begin in one place in their files and stand in a row instead</source>
@@ -8867,7 +8867,7 @@
     </message>
     <message>
         <source>%1 cannot sound at %2</source>
-        <translation>%1 kann nicht bei %2 klingen</translation>
+        <translation>%1 kann nicht auf %2 senden</translation>
     </message>
     <message>
         <source>%1 is not a text</source>
@@ -8879,7 +8879,7 @@
     </message>
     <message>
         <source>%1 walks through the wall at %2 s, up to %3 m beyond it; sound is not true there. The room is %4 x %5 m: give another place or a shorter duration</source>
-        <translation>%1 geht bei %2 s durch die Wand, bis zu %3 m weit; Schall stimmt dort nicht. Der Raum misst %4 x %5 m: einen anderen Ort oder eine kürzere Dauer angeben</translation>
+        <translation>%1 geht bei %2 s durch die Wand, bis zu %3 m weit; Schall stimmt dort nicht. Der Raum misst %4 x %5 m: einen anderen Ort oder eine kürzere Dauer angeben</translation>
     </message>
     <message>
         <source>%1: frame %2, joint %3: a value is not a finite number</source>
@@ -8887,7 +8887,7 @@
     </message>
     <message>
         <source>%1: its figure would be %2 m tall</source>
-        <translation>%1: ihre Figur wäre %2 m groß</translation>
+        <translation>%1: ihre Figur wäre %2 m groß</translation>
     </message>
     <message>
         <source>%1: pulses of %2 cycles do not fit into their interval of %3 samples</source>
@@ -8903,15 +8903,15 @@
     </message>
     <message>
         <source>A calibration on the %1 rig does not fit into %2 s</source>
-        <translation>Eine Kalibrierung mit dem Aufbau %1 passt nicht in %2 s</translation>
+        <translation>Eine Kalibrierung mit dem Aufbau %1 passt nicht in %2 s</translation>
     </message>
     <message>
         <source>A subject is called "room" beside the room</source>
-        <translation>Ein Darsteller heißt "room" neben dem Raum</translation>
+        <translation>Ein Darsteller heißt „room“ neben dem Raum</translation>
     </message>
     <message>
         <source>A take cannot last %1 s</source>
-        <translation>Eine Aufnahme kann nicht %1 s dauern</translation>
+        <translation>Eine Aufnahme kann nicht %1 s dauern</translation>
     </message>
     <message>
         <source>Add --level readings</source>
@@ -8951,7 +8951,7 @@
     </message>
     <message>
         <source>Give it one with "motion"</source>
-        <translation>Ihm mit "motion" eine geben</translation>
+        <translation>Ihm mit „motion“ eine geben</translation>
     </message>
     <message>
         <source>Give the person's height with --height M, or the file's unit with --bvh-unit</source>
@@ -8963,11 +8963,11 @@
     </message>
     <message>
         <source>Leave out a subject: at most eight suits, the room's among them, fit between 24 and 68 kHz</source>
-        <translation>Einen Darsteller weglassen: höchstens acht Anzüge, der des Raums eingeschlossen, passen zwischen 24 und 68 kHz</translation>
+        <translation>Einen Darsteller weglassen: höchstens acht Anzüge, der des Raums eingeschlossen, passen zwischen 24 und 68 kHz</translation>
     </message>
     <message>
         <source>Leave out a subject: no carrier between 24 and 68 kHz is free</source>
-        <translation>Einen Darsteller weglassen: zwischen 24 und 68 kHz ist keine Trägerfrequenz frei</translation>
+        <translation>Einen Darsteller weglassen: zwischen 24 und 68 kHz ist keine Trägerfrequenz frei</translation>
     </message>
     <message>
         <source>Name at least one, with its motion</source>
@@ -8995,15 +8995,15 @@
     </message>
     <message>
         <source>The rest pose cannot be held for %1 s</source>
-        <translation>Die Ruhehaltung lässt sich nicht %1 s lang halten</translation>
+        <translation>Die Ruhehaltung lässt sich nicht %1 s lang halten</translation>
     </message>
     <message>
         <source>There is no scenario "%1"</source>
-        <translation>Es gibt kein Szenario "%1"</translation>
+        <translation>Es gibt kein Szenario „%1“</translation>
     </message>
     <message>
         <source>Two subjects are called "%1"</source>
-        <translation>Zwei Darsteller heißen "%1"</translation>
+        <translation>Zwei Darsteller heißen „%1“</translation>
     </message>
     <message>
         <source>accel axes</source>
@@ -9131,7 +9131,7 @@
     </message>
     <message>
         <source>room %1: %2 '%3' sits on segment '%4', but anchors hang in the room</source>
-        <translation>Raum %1: %2 '%3' sitzt auf Glied '%4', aber Anker hängen im Raum</translation>
+        <translation>Raum %1: %2 „%3“ sitzt auf Glied „%4“, aber Anker hängen im Raum</translation>
     </message>
     <message>
         <source>soft tissue</source>
@@ -9175,7 +9175,7 @@
     </message>
     <message>
         <source>suit %1: source '%2' sits on another segment than board '%3', with which it shares a housing</source>
-        <translation>Anzug %1: Quelle '%2' sitzt auf einem anderen Glied als Platine '%3', mit der sie ein Gehäuse teilt</translation>
+        <translation>Anzug %1: Quelle „%2“ sitzt auf einem anderen Glied als Platine „%3“, mit der sie ein Gehäuse teilt</translation>
     </message>
     <message>
         <source>turntable speed</source>
@@ -9187,7 +9187,7 @@
     </message>
     <message>
         <source>two subjects are called "%1"</source>
-        <translation>zwei Darsteller heißen "%1"</translation>
+        <translation>zwei Darsteller heißen „%1“</translation>
     </message>
     <message>
         <source>ultrasonic noise</source>
@@ -9202,7 +9202,7 @@
     <name>core/suit</name>
     <message>
         <source>%1: %2 '%3' sits on segment '%4', which the actor does not have</source>
-        <translation>%1: %2 '%3' sitzt auf Glied '%4', das in den Körpermaßen nicht vorkommt</translation>
+        <translation>%1: %2 „%3“ sitzt auf Glied „%4“, das in den Körpermaßen nicht vorkommt</translation>
     </message>
     <message>
         <source>%1: is not a JSON object</source>
@@ -9210,7 +9210,7 @@
     </message>
     <message>
         <source>%1: source '%2' sits on board '%3', which the suit does not have</source>
-        <translation>%1: Quelle '%2' sitzt auf Platine '%3', die der Anzug nicht hat</translation>
+        <translation>%1: Quelle „%2“ sitzt auf Platine „%3“, die der Anzug nicht hat</translation>
     </message>
     <message>
         <source>Choose a file that was exported as a calibration</source>
@@ -9326,7 +9326,7 @@
     </message>
     <message>
         <source>of '%1' must be a finite number</source>
-        <translation>von '%1' muss eine endliche Zahl sein</translation>
+        <translation>von „%1“ muss eine endliche Zahl sein</translation>
     </message>
     <message>
         <source>source offsets</source>
@@ -9345,7 +9345,7 @@
     <name>core/vision</name>
     <message>
         <source>%1 fits badly: %2 px, others %3 px</source>
-        <translation>%1 passt schlecht: %2 px, andere %3 px</translation>
+        <translation>%1 passt schlecht: %2 px, andere %3 px</translation>
     </message>
     <message>
         <source>%1%2 and is not used</source>
@@ -9353,7 +9353,7 @@
     </message>
     <message>
         <source>%1: its distances in placement %2 are known to %3 mm only</source>
-        <translation>%1: die Abstände in Aufstellung %2 sind nur auf %3 mm bekannt</translation>
+        <translation>%1: die Abstände in Aufstellung %2 sind nur auf %3 mm bekannt</translation>
     </message>
     <message>
         <source>%1: its marker %2 does not lie where the others say in %3%4</source>
@@ -9381,7 +9381,7 @@
     </message>
     <message>
         <source>100 mm: measure it on the paper</source>
-        <translation>100 mm: auf dem Papier nachmessen</translation>
+        <translation>100 mm: auf dem Papier nachmessen</translation>
     </message>
     <message>
         <source>Add photographs of it from other sides and nearer</source>
@@ -9421,11 +9421,11 @@
     </message>
     <message>
         <source>Photograph it whole and sharp, from at least two sides</source>
-        <translation>Sie ganz und scharf fotografieren, von mindestens zwei Seiten</translation>
+        <translation>Ganz und scharf fotografieren, von mindestens zwei Seiten</translation>
     </message>
     <message>
         <source>Print at 100 % ("actual size"), on matt paper. If the line below is not 100 mm long, give the side measured on</source>
-        <translation>Mit 100 % („tatsächliche Größe“) auf mattes Papier drucken. Ist die Linie unten nicht 100 mm lang, die Seite angeben, gemessen auf</translation>
+        <translation>Mit 100 % („tatsächliche Größe“) auf mattes Papier drucken. Ist die Linie unten nicht 100 mm lang, die Seite angeben, gemessen auf</translation>
     </message>
     <message>
         <source>See that it is flat, of the same size as the others and does not move between photographs</source>
@@ -9445,7 +9445,7 @@
     </message>
     <message>
         <source>Take it off the jig, or stick the sheet of this suit on</source>
-        <translation>Sie vom Messgestell nehmen oder den Bogen dieses Anzugs aufkleben</translation>
+        <translation>Vom Messgestell nehmen oder den Bogen dieses Anzugs aufkleben</translation>
     </message>
     <message>
         <source>Take photographs that overlap, with nothing moved in between</source>
@@ -9457,7 +9457,7 @@
     </message>
     <message>
         <source>Take them sharp, with one camera and without zoom, markers flat and all of one size, nothing moved between those of one placement</source>
-        <translation>Sie scharf aufnehmen, mit einer Kamera und ohne Zoom, Marken flach und alle gleich groß, zwischen denen einer Aufstellung nichts bewegt</translation>
+        <translation>Scharf aufnehmen, mit einer Kamera und ohne Zoom, Marken flach und alle gleich groß, zwischen den Fotografien einer Aufstellung nichts bewegt</translation>
     </message>
     <message>
         <source>The middle of the marker lies over the middle of the source's face, of a board over its microphone's opening;</source>
@@ -9465,7 +9465,7 @@
     </message>
     <message>
         <source>The photographs do not fit together: %1 px per corner, 0.3 px is usual</source>
-        <translation>Die Fotografien passen nicht zusammen: %1 px je Ecke, 0,3 px ist üblich</translation>
+        <translation>Die Fotografien passen nicht zusammen: %1 px je Ecke, 0,3 px ist üblich</translation>
     </message>
     <message>
         <source>The photographs give no distance:</source>
@@ -9501,7 +9501,7 @@
     </message>
     <message>
         <source>it may be turned any way. Take it off while sound is recorded, or punch a hole of at most %1 mm</source>
-        <translation>sie darf beliebig gedreht sein. Sie beim Aufnehmen von Ton abnehmen oder ein Loch stanzen von höchstens %1 mm</translation>
+        <translation>sie darf beliebig gedreht sein. Beim Aufnehmen von Ton abnehmen oder ein Loch stanzen von höchstens %1 mm</translation>
     </message>
     <message>
         <source>marker %1 stands in the photographs and belongs to no part of the suit</source>
@@ -9552,11 +9552,11 @@
     <name>devices/device</name>
     <message>
         <source>'%1' is no address of a device: %2</source>
-        <translation>'%1' ist keine Adresse eines Geräts: %2</translation>
+        <translation>„%1“ ist keine Adresse eines Geräts: %2</translation>
     </message>
     <message>
         <source>'%1' is no name or number of a computer</source>
-        <translation>'%1' ist weder Name noch Nummer eines Rechners</translation>
+        <translation>„%1“ ist weder Name noch Nummer eines Rechners</translation>
     </message>
     <message>
         <source>1 is as fast as it was recorded, 2 twice as fast, 0 as fast as possible</source>
@@ -9568,7 +9568,7 @@
     </message>
     <message>
         <source>Check that the box is switched on, in the same network, and that this is its address and port</source>
-        <translation>Prüfen, ob die Box eingeschaltet und im selben Netz ist und ob Adresse und Port stimmen</translation>
+        <translation>Prüfen, ob die Box eingeschaltet und im selben Netzwerk ist und ob Adresse und Port stimmen</translation>
     </message>
     <message>
         <source>Check the cable and that the box is switched on</source>
@@ -9596,11 +9596,11 @@
     </message>
     <message>
         <source>Plug the box in, or see with 'noctule --batch devices' which ports there are</source>
-        <translation>Die Box einstecken oder mit 'noctule --batch devices' ansehen, welche Schnittstellen es gibt</translation>
+        <translation>Die Box einstecken oder mit `noctule --batch devices` ansehen, welche Schnittstellen es gibt</translation>
     </message>
     <message>
         <source>Stop it first</source>
-        <translation>Sie zuerst anhalten</translation>
+        <translation>Zuerst anhalten</translation>
     </message>
     <message>
         <source>a port is a number from 1 to 65535</source>
@@ -9648,7 +9648,7 @@
     </message>
     <message>
         <source>no connection within 3 s</source>
-        <translation>keine Verbindung innerhalb von 3 s</translation>
+        <translation>keine Verbindung innerhalb von 3 s</translation>
     </message>
     <message>
         <source>no take is open</source>
@@ -9683,7 +9683,7 @@
     </message>
     <message>
         <source>'%1' is not what it should be</source>
-        <translation>'%1' ist nicht, was es sein soll</translation>
+        <translation>„%1“ ist nicht, was es sein soll</translation>
     </message>
     <message>
         <source>ANNOUNCE is no JSON object</source>
@@ -9691,7 +9691,7 @@
     </message>
     <message>
         <source>ANNOUNCE: '%1' is missing or not what it should be</source>
-        <translation>ANNOUNCE: '%1' fehlt oder ist nicht, was es sein soll</translation>
+        <translation>ANNOUNCE: „%1“ fehlt oder ist nicht, was es sein soll</translation>
     </message>
     <message>
         <source>Check that it is switched on and that this is its address or port</source>
@@ -9727,7 +9727,7 @@
     </message>
     <message>
         <source>HELLO: '%1' is missing or not what it should be</source>
-        <translation>HELLO: '%1' fehlt oder ist nicht, was es sein soll</translation>
+        <translation>HELLO: „%1“ fehlt oder ist nicht, was es sein soll</translation>
     </message>
     <message>
         <source>Is another program connected to it?</source>
@@ -9747,7 +9747,7 @@
     </message>
     <message>
         <source>The suit '%1' has no %2 with the serial number of '%3' (%4)</source>
-        <translation>Der Anzug '%1' hat keine %2 mit der Seriennummer von '%3' (%4)</translation>
+        <translation>Der Anzug „%1“ hat keine %2 mit der Seriennummer von „%3“ (%4)</translation>
     </message>
     <message>
         <source>Try again</source>
@@ -9811,7 +9811,7 @@
     </message>
     <message>
         <source>no sound for 3 s</source>
-        <translation>seit 3 s kein Ton</translation>
+        <translation>seit 3 s kein Ton</translation>
     </message>
     <message>
         <source>not now (busy or wrong state)</source>
@@ -9839,7 +9839,7 @@
     </message>
     <message>
         <source>the box has been silent for 3 s</source>
-        <translation>die Box ist seit 3 s stumm</translation>
+        <translation>die Box ist seit 3 s stumm</translation>
     </message>
     <message>
         <source>the box has restarted</source>
@@ -9859,7 +9859,7 @@
     </message>
     <message>
         <source>the client has been silent for 10 s</source>
-        <translation>der Client ist seit 10 s stumm</translation>
+        <translation>der Client ist seit 10 s stumm</translation>
     </message>
     <message>
         <source>the connection was closed</source>
@@ -9902,7 +9902,7 @@
     </message>
     <message>
         <source>%1 and %2 both sound at %3, and only carriers 5 kHz apart can be told from each other</source>
-        <translation>%1 und %2 klingen beide bei %3, und nur Trägerfrequenzen im Abstand von 5 kHz lassen sich unterscheiden</translation>
+        <translation>%1 und %2 senden beide auf %3, und nur Trägerfrequenzen im Abstand von 5 kHz lassen sich unterscheiden</translation>
     </message>
     <message>
         <source>%1 and %2 pulse at the same interval, %3 samples, so the same pulses may collide during the whole take. Set one of the boxes to another interval, such as 1200, 1230 or 1260 samples.</source>
@@ -9938,7 +9938,7 @@
     </message>
     <message>
         <source>%1: sends no sound</source>
-        <translation>%1: sendet keinen Schall</translation>
+        <translation>%1: sendet keinen Ton</translation>
     </message>
     <message>
         <source>%1: sends nothing</source>
@@ -10002,7 +10002,7 @@
     </message>
     <message>
         <source>Give each suit a driver box of its own</source>
-        <translation>Jedem Anzug eine eigene Box geben</translation>
+        <translation>Jedem Anzug eine eigene Steuerbox geben</translation>
     </message>
     <message>
         <source>Nobody wears any of these suits: all of them are fixed in the room</source>
@@ -10018,19 +10018,19 @@
     </message>
     <message>
         <source>Record at least one suit of a performer, or give its placement with --suit</source>
-        <translation>Mindestens einen getragenen Anzug aufnehmen, oder seine Platzierung mit --suit angeben</translation>
+        <translation>Mindestens den Anzug eines Darstellers aufnehmen oder mit --suit seinen Sitz angeben</translation>
     </message>
     <message>
         <source>Recording %.1f s, %.2f s missing, disk for %.0f min</source>
-        <translation>Nimmt auf %.1f s, %.2f s fehlen, Platte reicht für %.0f min</translation>
+        <translation>Nimmt auf %.1f s, %.2f s fehlen, Datenträger reicht für %.0f min</translation>
     </message>
     <message>
         <source>Recording %zu suits %.1f s, disk for %.0f min</source>
-        <translation>Nimmt %zu Anzüge auf, %.1f s, Platte reicht für %.0f min</translation>
+        <translation>Nimmt %zu Anzüge auf, %.1f s, Datenträger reicht für %.0f min</translation>
     </message>
     <message>
         <source>Set one of the boxes to another carrier, such as 40, 48 or 58 kHz, in its firmware (virtual suits: start both from one --cast), or record them one after the other</source>
-        <translation>Eine der Boxen in ihrer Firmware auf eine andere Trägerfrequenz einstellen, etwa 40, 48 oder 58 kHz (virtuelle Anzüge: beide mit demselben --cast starten), oder nacheinander aufnehmen</translation>
+        <translation>Eine der Boxen in ihrer Firmware auf eine andere Trägerfrequenz einstellen, etwa 40, 48 oder 58 kHz (virtuelle Anzüge: beide mit demselben --cast starten), oder nacheinander aufnehmen</translation>
     </message>
     <message>
         <source>Switch the driver box off and on, and record again</source>
@@ -10046,7 +10046,7 @@
     </message>
     <message>
         <source>The driver box said at %1: %2%3.</source>
-        <translation>Die Treiberbox meldete bei %1: %2%3.</translation>
+        <translation>Die Steuerbox meldete bei %1: %2%3.</translation>
     </message>
     <message>
         <source>The live results are not in the take: %1.</source>
@@ -10054,7 +10054,7 @@
     </message>
     <message>
         <source>The recording was ended because only %1 are free on the disk of %2; %3 are safe in the file</source>
-        <translation>Die Aufnahme wurde beendet, weil auf der Platte von %2 nur %1 frei sind; %3 sind sicher in der Datei</translation>
+        <translation>Die Aufnahme wurde beendet, weil auf dem Datenträger von %2 nur %1 frei sind; %3 sind sicher in der Datei</translation>
     </message>
     <message>
         <source>The suit is not calibrated: all of its sound is kept, but no poses. Process the take with a calibration.</source>
@@ -10082,7 +10082,7 @@
     </message>
     <message>
         <source>Write `none` in place of this device's actor</source>
-        <translation>`none` anstelle des Darstellers dieses Geräts schreiben</translation>
+        <translation>`none` anstelle der Körpermaße dieses Geräts schreiben</translation>
     </message>
     <message>
         <source>`noctule --batch recover` on it</source>
@@ -10117,7 +10117,7 @@
     </message>
     <message>
         <source>Give it in numbers, such as 10.0.0.5</source>
-        <translation>Sie in Zahlen angeben, etwa 10.0.0.5</translation>
+        <translation>Die Adresse in Zahlen angeben, etwa 10.0.0.5</translation>
     </message>
     <message>
         <source>UDP port %1: cannot be listened to: %2</source>
@@ -10132,7 +10132,7 @@
     <name>devices/robot</name>
     <message>
         <source>%1: %2 has no joint "%3"</source>
-        <translation>%1: %2 hat kein Gelenk "%3"</translation>
+        <translation>%1: %2 hat kein Gelenk „%3“</translation>
     </message>
     <message>
         <source>%1: %2 joints cannot be driven</source>
@@ -10176,7 +10176,7 @@
     </message>
     <message>
         <source>%1: the network knows no computer of this name</source>
-        <translation>%1: das Netz kennt keinen Rechner dieses Namens</translation>
+        <translation>%1: das Netzwerk kennt keinen Rechner dieses Namens</translation>
     </message>
     <message>
         <source>%1: the robot's joints are others than those that are driven</source>
@@ -10184,11 +10184,11 @@
     </message>
     <message>
         <source>'%1' is not the address of a robot</source>
-        <translation>'%1' ist nicht die Adresse eines Roboters</translation>
+        <translation>„%1“ ist nicht die Adresse eines Roboters</translation>
     </message>
     <message>
         <source>'%1': no interface is called %2</source>
-        <translation>'%1': keine Schnittstelle heißt %2</translation>
+        <translation>„%1“: keine Schnittstelle heißt %2</translation>
     </message>
     <message>
         <source>Check how the name is written, or give its address in numbers</source>
@@ -10208,7 +10208,7 @@
     </message>
     <message>
         <source>Check the network and the robot's address</source>
-        <translation>Das Netz und die Adresse des Roboters prüfen</translation>
+        <translation>Das Netzwerk und die Adresse des Roboters prüfen</translation>
     </message>
     <message>
         <source>Check the topics and their types</source>
@@ -10268,7 +10268,7 @@
     </message>
     <message>
         <source>a message has no "op", or "op", "topic" or "type" is no text</source>
-        <translation>eine Nachricht hat kein "op", oder "op", "topic" oder "type" ist kein Text</translation>
+        <translation>eine Nachricht hat kein „op“, oder „op“, „topic“ oder „type“ ist kein Text</translation>
     </message>
     <message>
         <source>a message is nested too deeply</source>
@@ -10320,7 +10320,7 @@
     </message>
     <message>
         <source>the network does not know its name now</source>
-        <translation>das Netz kennt seinen Namen gerade nicht</translation>
+        <translation>das Netzwerk kennt seinen Namen gerade nicht</translation>
     </message>
 </context>
 <context>
@@ -10359,15 +10359,15 @@
     </message>
     <message>
         <source>Switch it off and on again, then look again</source>
-        <translation>Sie aus- und wieder einschalten, dann erneut suchen</translation>
+        <translation>Aus- und wieder einschalten, dann erneut suchen</translation>
     </message>
     <message>
         <source>The driver box sends no sound</source>
-        <translation>Die Treiberbox sendet keinen Ton</translation>
+        <translation>Die Steuerbox sendet keinen Ton</translation>
     </message>
     <message>
         <source>The stream broke off before the step was kept</source>
-        <translation>Der Datenstrom brach ab, bevor der Schritt gesichert war</translation>
+        <translation>Der Datenstrom brach ab, bevor der Schritt gespeichert war</translation>
     </message>
     <message>
         <source>no performer</source>

@@ -188,7 +188,7 @@
     <name>FieldText</name>
     <message>
         <source>Tip it over and roll it slowly. Keep it 1 m away from tables, radiators and telephones.</source>
-        <translation>Kippen und langsam rollen. 1 m Abstand zu Tischen, Heizkörpern und Telefonen halten.</translation>
+        <translation>Kippen und langsam rollen. 1&#xa0;m Abstand zu Tischen, Heizkörpern und Telefonen halten.</translation>
     </message>
     <message>
         <source>All directions were seen: wait a moment</source>
@@ -228,11 +228,11 @@
     </message>
     <message>
         <source>%1 µT ±%2</source>
-        <translation>%1 µT ±%2</translation>
+        <translation>%1&#xa0;µT ±%2</translation>
     </message>
     <message>
         <source>%1 µT</source>
-        <translation>%1 µT</translation>
+        <translation>%1&#xa0;µT</translation>
     </message>
     <message>
         <source>Turn it more slowly</source>
@@ -256,7 +256,7 @@
     </message>
     <message>
         <source>Steel is near: a table, a radiator, the floor. Go 1 m away from it and carry the suit about again.</source>
-        <translation>Stahl ist in der Nähe: ein Tisch, ein Heizkörper, der Boden. 1 m davon weggehen und den Anzug noch einmal umhertragen.</translation>
+        <translation>Stahl ist in der Nähe: ein Tisch, ein Heizkörper, der Boden. 1&#xa0;m davon weggehen und den Anzug noch einmal umhertragen.</translation>
     </message>
     <message>
         <source>Half a metre to each side and up and down, without turning it.</source>
@@ -369,8 +369,8 @@
     <message numerus="yes">
         <source>Push its plug in until it clicks, or skip it. %n sensor(s) are missing.</source>
         <translation>
-            <numerusform>Den Stecker bis zum Klicken eindrücken oder ihn überspringen. %n Sensor fehlt.</numerusform>
-            <numerusform>Die Stecker bis zum Klicken eindrücken oder sie überspringen. %n Sensoren fehlen.</numerusform>
+            <numerusform>Den Stecker bis zum Klicken eindrücken oder den Sensor auslassen. %n Sensor fehlt.</numerusform>
+            <numerusform>Die Stecker bis zum Klicken eindrücken oder die Sensoren auslassen. %n Sensoren fehlen.</numerusform>
         </translation>
     </message>
     <message>
@@ -427,16 +427,16 @@
         <source>%n s left</source>
         <comment>seconds</comment>
         <translation>
-            <numerusform>noch %n s</numerusform>
-            <numerusform>noch %n s</numerusform>
+            <numerusform>noch %n&#xa0;s</numerusform>
+            <numerusform>noch %n&#xa0;s</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n min left</source>
         <comment>minutes</comment>
         <translation>
-            <numerusform>noch %n min</numerusform>
-            <numerusform>noch %n min</numerusform>
+            <numerusform>noch %n&#xa0;min</numerusform>
+            <numerusform>noch %n&#xa0;min</numerusform>
         </translation>
     </message>
     <message>
@@ -459,7 +459,7 @@
     <name>LaneLegend</name>
     <message>
         <source>used</source>
-        <translation>benutzt</translation>
+        <translation>verwendet</translation>
     </message>
     <message>
         <source>less weight</source>
@@ -662,7 +662,7 @@
     </message>
     <message>
         <source>Processing…</source>
-        <translation>Wird verarbeitet …</translation>
+        <translation>Wird verarbeitet&#xa0;…</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -755,7 +755,7 @@
     </message>
     <message>
         <source>Let go of it and wait until it lies still. %1</source>
-        <translation>Sie loslassen und warten, bis sie still liegt. %1</translation>
+        <translation>Loslassen und warten, bis sie still liegt. %1</translation>
     </message>
     <message>
         <source>Not yet: board %1 lies on another side</source>
@@ -763,7 +763,7 @@
     </message>
     <message>
         <source>Board %1, %2, is turned in its slot. Turn it as its neighbours are and press it in. %3</source>
-        <translation>Platine %1, %2, ist in ihrem Fach verdreht. Sie wie ihre Nachbarn ausrichten und eindrücken. %3</translation>
+        <translation>Platine %1, %2, ist in ihrem Fach verdreht. Wie ihre Nachbarn ausrichten und eindrücken. %3</translation>
     </message>
     <message>
         <source>Not yet: board %1 sits %2 askew in its slot</source>
@@ -786,7 +786,7 @@
     </message>
     <message>
         <source>Wait: %1 rpm</source>
-        <translation>Warten: %1 U/min</translation>
+        <translation>Warten: %1&#xa0;U/min</translation>
     </message>
     <message>
         <source>The table has not found its speed yet, or something makes it waver.</source>
@@ -794,15 +794,15 @@
     </message>
     <message>
         <source>Too fast: %1 rpm</source>
-        <translation>Zu schnell: %1 U/min</translation>
+        <translation>Zu schnell: %1&#xa0;U/min</translation>
     </message>
     <message>
         <source>That is more than 80 % of what the gyroscope of board %1 can measure. Set the table to a slower speed.</source>
-        <translation>Das ist mehr als 80 % dessen, was das Gyroskop von Platine %1 messen kann. Den Drehteller langsamer stellen.</translation>
+        <translation>Das ist mehr als 80&#xa0;% dessen, was das Gyroskop von Platine %1 messen kann. Den Drehteller langsamer stellen.</translation>
     </message>
     <message>
         <source>%1 rpm: wait</source>
-        <translation>%1 U/min: warten</translation>
+        <translation>%1&#xa0;U/min: warten</translation>
     </message>
     <message>
         <source>That is none of the usual speeds, 33 1/3, 45 and 78. Set the table to one of them.</source>
@@ -818,7 +818,7 @@
     </message>
     <message>
         <source>The distances heard differ from all those in the file by more than 2 cm. Put boards and sources as they were measured.</source>
-        <translation>Die gehörten Abstände weichen von allen in der Datei um mehr als 2 cm ab. Platinen und Quellen so aufstellen, wie sie gemessen wurden.</translation>
+        <translation>Die gehörten Abstände weichen von allen in der Datei um mehr als 2&#xa0;cm ab. Platinen und Quellen so aufstellen, wie sie gemessen wurden.</translation>
     </message>
     <message>
         <source>Turn the plate onto a side</source>
@@ -842,7 +842,7 @@
     </message>
     <message>
         <source>%1 rpm, even. Nothing touches the table.</source>
-        <translation>%1 U/min, gleichmäßig. Nichts berührt den Drehteller.</translation>
+        <translation>%1&#xa0;U/min, gleichmäßig. Nichts berührt den Drehteller.</translation>
     </message>
     <message numerus="yes">
         <source>All %n board(s) are in place. Nothing touches them.</source>
@@ -857,7 +857,7 @@
     </message>
     <message>
         <source>It is being written to disk.</source>
-        <translation>Wird auf die Festplatte geschrieben.</translation>
+        <translation>Wird auf den Datenträger geschrieben.</translation>
     </message>
     <message>
         <source>The suit has gone</source>
@@ -889,7 +889,7 @@
     </message>
     <message>
         <source>%1 rpm</source>
-        <translation>%1 U/min</translation>
+        <translation>%1&#xa0;U/min</translation>
     </message>
     <message>
         <source>Pairs heard</source>
@@ -901,7 +901,7 @@
     </message>
     <message>
         <source>%1 m/s², limit %2</source>
-        <translation>%1 m/s², Grenze %2</translation>
+        <translation>%1&#xa0;m/s², Grenze %2</translation>
     </message>
     <message>
         <source>Boards in place</source>
@@ -1037,7 +1037,7 @@
     </message>
     <message>
         <source>From shoulder joint to shoulder joint, about 4 cm less than outside</source>
-        <translation>Von Schultergelenk zu Schultergelenk, etwa 4 cm weniger als außen</translation>
+        <translation>Von Schultergelenk zu Schultergelenk, etwa 4&#xa0;cm weniger als außen</translation>
     </message>
     <message>
         <source>Trunk</source>
@@ -1081,7 +1081,7 @@
     </message>
     <message>
         <source>%1 cm</source>
-        <translation>%1 cm</translation>
+        <translation>%1&#xa0;cm</translation>
     </message>
 </context>
 <context>
@@ -1543,7 +1543,7 @@
     </message>
     <message>
         <source>Choose a motion</source>
-        <translation>Eine Bewegung auswählen</translation>
+        <translation>Eine Bewegung wählen</translation>
     </message>
     <message>
         <source>Motions (*.bvh *.fbx *.glb *.gltf *.vrm *.dae)</source>
@@ -1551,11 +1551,11 @@
     </message>
     <message>
         <source>Choose the files of one recording</source>
-        <translation>Dateien einer Aufnahme wählen</translation>
+        <translation>Dateien einer Aufzeichnung wählen</translation>
     </message>
     <message>
         <source>Recordings of sensors (*.mat *.mvnx *.txt *.ximu3 *.sto *.csv *.tsv)</source>
-        <translation>Aufnahmen von Sensoren (*.mat *.mvnx *.txt *.ximu3 *.sto *.csv *.tsv)</translation>
+        <translation>Aufzeichnungen von Sensoren (*.mat *.mvnx *.txt *.ximu3 *.sto *.csv *.tsv)</translation>
     </message>
 </context>
 <context>
@@ -1646,7 +1646,7 @@
     </message>
     <message>
         <source>How late each source sounds, so that distances are right to the millimetre.</source>
-        <translation>Wie spät jede Quelle klingt, damit Entfernungen auf den Millimeter stimmen.</translation>
+        <translation>Wie spät jede Quelle tönt, damit Entfernungen auf den Millimeter stimmen.</translation>
     </message>
     <message>
         <source>Suit on its jig, about 6 minutes; once a year</source>
@@ -1654,7 +1654,7 @@
     </message>
     <message>
         <source>The jig with boards and sources in their seats, 30 to 90 cm apart</source>
-        <translation>Das Messgestell mit Platinen und Quellen auf ihren Plätzen, 30 bis 90 cm voneinander entfernt</translation>
+        <translation>Das Messgestell mit Platinen und Quellen auf ihren Plätzen, 30 bis 90&#xa0;cm voneinander entfernt</translation>
     </message>
     <message>
         <source>The distances between them: points of a digitizer arm or a tape measure, as CSV</source>
@@ -1722,7 +1722,7 @@
     </message>
     <message>
         <source>The box rides on the table beside the plate, its wires taped down. With a cable to the computer instead, ten turns wind it up as far as is safe: stop after each side and unwind.</source>
-        <translation>Die Box fährt neben der Platte auf dem Drehteller mit, ihre Kabel sind festgeklebt. Mit einem Kabel zum Computer ist nach zehn Umdrehungen so viel aufgewickelt, wie sicher ist: nach jeder Seite anhalten und abwickeln.</translation>
+        <translation>Die Box fährt neben der Platte auf dem Drehteller mit, ihre Kabel sind festgeklebt. Mit einem Kabel zum Rechner ist nach zehn Umdrehungen so viel aufgewickelt, wie sicher ist: nach jeder Seite anhalten und abwickeln.</translation>
     </message>
     <message>
         <source>Sides may come in any order. The page sees by itself which one turns.</source>
@@ -1814,7 +1814,7 @@
     </message>
     <message>
         <source>One exercise after the other. The page sees when you stand and when you move.</source>
-        <translation>Eine Übung nach der anderen. Die Seite sieht, wann man steht und wann man sich bewegt.</translation>
+        <translation>Eine Übung nach der anderen. Die Anzeige erkennt, wann man steht und wann man sich bewegt.</translation>
     </message>
     <message>
         <source>Squats</source>
@@ -1902,7 +1902,7 @@
     </message>
     <message>
         <source>Stand still for three seconds</source>
-        <translation>Drei Sekunden stillstehen</translation>
+        <translation>Drei Sekunden still stehen</translation>
     </message>
     <message>
         <source>Magnetometers</source>
@@ -1914,7 +1914,7 @@
     </message>
     <message>
         <source>A bag, 1 m from steel, 2 minutes; every three months</source>
-        <translation>Ein Beutel, 1 m von Stahl entfernt, 2 Minuten; alle drei Monate</translation>
+        <translation>Ein Beutel, 1&#xa0;m von Stahl entfernt, 2 Minuten; alle drei Monate</translation>
     </message>
     <message>
         <source>The suit, off the body, in a bag or in both hands; one sensor alone will do too</source>
@@ -1922,7 +1922,7 @@
     </message>
     <message>
         <source>A spot 1 m away from steel, radiators, loudspeakers and telephones</source>
-        <translation>Eine Stelle 1 m entfernt von Stahl, Heizkörpern, Lautsprechern und Telefonen</translation>
+        <translation>Eine Stelle 1&#xa0;m entfernt von Stahl, Heizkörpern, Lautsprechern und Telefonen</translation>
     </message>
     <message>
         <source>Take rings, watches and buckles out of the bag. The box lies in it too, or its cable is long enough to be turned.</source>
@@ -2141,7 +2141,7 @@
     </message>
     <message>
         <source>Drag a board onto a body part, or press Find and move the limb.</source>
-        <translation>Eine Platine auf einen Körperteil ziehen, oder Finden drücken und das Glied bewegen.</translation>
+        <translation>Eine Platine auf einen Körperteil ziehen, oder „Durch Bewegen finden“ drücken und das Glied bewegen.</translation>
     </message>
     <message>
         <source>Move one limb, the end of it most, and keep all others still.</source>
@@ -2251,7 +2251,7 @@
     </message>
     <message>
         <source>error, rms</source>
-        <translation>Fehler, rms</translation>
+        <translation>Fehler, RMS</translation>
     </message>
     <message>
         <source>%1 to %2</source>
@@ -2259,7 +2259,7 @@
     </message>
     <message>
         <source>… nearer than 0.3 m</source>
-        <translation>… näher als 0,3 m</translation>
+        <translation>… näher als 0,3&#xa0;m</translation>
     </message>
     <message>
         <source>Facing each other</source>
@@ -2302,11 +2302,11 @@
     </message>
     <message>
         <source>Turning rate, 5 s</source>
-        <translation>Drehrate, 5 s</translation>
+        <translation>Drehrate, 5&#xa0;s</translation>
     </message>
     <message>
         <source>Acceleration, 5 s</source>
-        <translation>Beschleunigung, 5 s</translation>
+        <translation>Beschleunigung, 5&#xa0;s</translation>
     </message>
     <message>
         <source>No board is chosen</source>
@@ -2408,7 +2408,7 @@
     </message>
     <message>
         <source>Noctule&apos;s own, in the performer&apos;s measures</source>
-        <translation>Noctules eigener, in den Maßen der Person</translation>
+        <translation>Noctules eigener, in den Maßen des Darstellers</translation>
     </message>
     <message>
         <source>Where its joints are</source>
@@ -2455,11 +2455,11 @@
     </message>
     <message>
         <source>Performer’s right</source>
-        <translation>Rechts des Darstellers</translation>
+        <translation>Rechts am Darsteller</translation>
     </message>
     <message>
         <source>Performer’s left</source>
-        <translation>Links des Darstellers</translation>
+        <translation>Links am Darsteller</translation>
     </message>
     <message>
         <source>board %1</source>
@@ -2538,11 +2538,11 @@
     </message>
     <message>
         <source>All parts of the suit have values that are recent enough. Check them with three seconds of standing still.</source>
-        <translation>Alle Teile des Anzugs haben Werte, die neu genug sind. Sie mit drei Sekunden Stillstehen kontrollieren.</translation>
+        <translation>Alle Teile des Anzugs haben Werte, die neu genug sind. Zur Kontrolle drei Sekunden still stehen.</translation>
     </message>
     <message>
         <source>All parts of the suit have values, but where they come from is not stated. Check them with three seconds of standing still.</source>
-        <translation>Alle Teile des Anzugs haben Werte, aber woher sie stammen, ist nicht angegeben. Sie mit drei Sekunden Stillstehen kontrollieren.</translation>
+        <translation>Alle Teile des Anzugs haben Werte, aber woher sie stammen, ist nicht angegeben. Zur Kontrolle drei Sekunden still stehen.</translation>
     </message>
     <message>
         <source>Prepare: %1</source>
@@ -2566,15 +2566,15 @@
     </message>
     <message>
         <source>None has been saved yet.</source>
-        <translation>Noch ist keine gesichert.</translation>
+        <translation>Noch ist keine gespeichert.</translation>
     </message>
     <message>
         <source>made for an unknown suit</source>
-        <translation>für einen unbekannten Anzug gemacht</translation>
+        <translation>für einen unbekannten Anzug erstellt</translation>
     </message>
     <message>
         <source>%1 was made for another suit</source>
-        <translation>%1 wurde für einen anderen Anzug gemacht</translation>
+        <translation>%1 wurde für einen anderen Anzug erstellt</translation>
     </message>
     <message>
         <source>It belongs to %1; %2 is connected. Sensors and sources differ from suit to suit: with the values of others poses are wrong.</source>
@@ -2599,7 +2599,7 @@
     </message>
     <message>
         <source>What differs from the calibration in use</source>
-        <translation>Was sich von der benutzten Kalibrierung unterscheidet</translation>
+        <translation>Was sich von der verwendeten Kalibrierung unterscheidet</translation>
     </message>
     <message>
         <source>Back to Record</source>
@@ -2728,7 +2728,7 @@
     <message>
         <source>The calibration %1 was made for another suit, %2. Calibrate %3 before takes with it can be relied on.</source>
         <comment>file, serial numbers</comment>
-        <translation>Die Kalibrierung %1 wurde für einen anderen Anzug gemacht, %2. Erst wenn %3 kalibriert ist, ist auf Aufnahmen damit Verlass.</translation>
+        <translation>Die Kalibrierung %1 wurde für einen anderen Anzug erstellt, %2. Erst wenn %3 kalibriert ist, ist auf Aufnahmen damit Verlass.</translation>
     </message>
     <message>
         <source>%1: the calibration of its sensors and sources from an earlier session is in use (made %2).</source>
@@ -2819,7 +2819,7 @@
     </message>
     <message>
         <source>Save as a map…</source>
-        <translation>Als Zuordnung speichern…</translation>
+        <translation>Als Zuordnung speichern&#xa0;…</translation>
     </message>
     <message>
         <source>Column</source>
@@ -2875,7 +2875,7 @@
     </message>
     <message>
         <source>Rate</source>
-        <translation>Rate</translation>
+        <translation>Abtastrate</translation>
     </message>
     <message numerus="yes">
         <source>%n sensor(s) in these columns</source>
@@ -2901,11 +2901,11 @@
     </message>
     <message>
         <source>%1 of %2, against the one in use, %3</source>
-        <translation>%1 vom %2, gegen die benutzte, %3</translation>
+        <translation>%1 vom %2, gegen die verwendete, %3</translation>
     </message>
     <message>
         <source>Use %1</source>
-        <translation>%1 benutzen</translation>
+        <translation>%1 verwenden</translation>
     </message>
     <message>
         <source>All values are the same.</source>
@@ -3043,7 +3043,7 @@
     </message>
     <message>
         <source>In the network tcp://ADDRESS:PORT, at a serial port serial:///dev/ttyACM0.</source>
-        <translation>Im Netz tcp://ADRESSE:PORT, an einer seriellen Schnittstelle serial:///dev/ttyACM0.</translation>
+        <translation>Im Netzwerk tcp://ADRESSE:PORT, an einer seriellen Schnittstelle serial:///dev/ttyACM0.</translation>
     </message>
     <message>
         <source>Driver box on USB</source>
@@ -3051,7 +3051,7 @@
     </message>
     <message>
         <source>Driver box on the network</source>
-        <translation>Steuerbox im Netz</translation>
+        <translation>Steuerbox im Netzwerk</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -3112,7 +3112,7 @@
     </message>
     <message>
         <source>Another studio uses it</source>
-        <translation>Ein anderes Studio benutzt sie</translation>
+        <translation>Ein anderes Studio verwendet sie</translation>
     </message>
     <message>
         <source>Connect</source>
@@ -3283,7 +3283,7 @@
     </message>
     <message>
         <source>{take} {fps} {performer} {run} {date} are filled in. A name that you type is kept for all presets until you clear the field.</source>
-        <translation>{take} {fps} {performer} {run} {date} werden eingesetzt. Ein Name, den Sie eingeben, gilt für alle Vorlagen, bis Sie das Feld leeren.</translation>
+        <translation>{take} {fps} {performer} {run} {date} werden eingesetzt. Ein Name, den Sie eingeben, gilt für alle Vorgaben, bis Sie das Feld leeren.</translation>
     </message>
     <message>
         <source>Try first</source>
@@ -3323,7 +3323,7 @@
     </message>
     <message>
         <source>Skinned, in the performer&apos;s measures</source>
-        <translation>Mit Haut, in den Maßen der Person</translation>
+        <translation>Mit Haut, in den Maßen des Darstellers</translation>
     </message>
     <message>
         <source>Skeleton alone</source>
@@ -3403,22 +3403,22 @@
     </message>
     <message>
         <source>One file with all takes or performers</source>
-        <translation>Eine Datei mit allen Aufnahmen oder Personen</translation>
+        <translation>Eine Datei mit allen Aufnahmen oder Darstellern</translation>
     </message>
     <message>
         <source>Each take is an animation under its name; {take} in the file name becomes the session’s name. Of one take, each performer is a character of its own.</source>
-        <translation>Jede Aufnahme ist eine Animation unter ihrem Namen; {take} im Dateinamen wird zum Namen der Sitzung. Aus einer Aufnahme wird jede Person eine eigene Figur.</translation>
+        <translation>Jede Aufnahme ist eine Animation unter ihrem Namen; {take} im Dateinamen wird zum Namen der Sitzung. Aus einer Aufnahme wird jeder Darsteller eine eigene Figur.</translation>
     </message>
     <message>
         <source>The frame at Review’s time cursor; of other takes one in the middle.</source>
-        <translation>Das Bild am Zeitzeiger der Prüfung; von anderen Aufnahmen eines aus der Mitte.</translation>
+        <translation>Das Bild am Zeiger in Prüfen; von anderen Aufnahmen eines aus der Mitte.</translation>
     </message>
 </context>
 <context>
     <name>noctule::ui::ExportPage</name>
     <message>
         <source>Write again</source>
-        <translation>Noch einmal schreiben</translation>
+        <translation>Neu schreiben</translation>
     </message>
     <message>
         <source>Open folder</source>
@@ -3426,7 +3426,7 @@
     </message>
     <message>
         <source>Made for</source>
-        <translation>Gemacht für</translation>
+        <translation>Bestimmt für</translation>
     </message>
     <message>
         <source>No session is open</source>
@@ -3487,7 +3487,7 @@
     </message>
     <message>
         <source>Save the check</source>
-        <translation>Prüfung sichern</translation>
+        <translation>Prüfung speichern</translation>
     </message>
     <message>
         <source>check.txt</source>
@@ -3503,7 +3503,7 @@
     </message>
     <message>
         <source>Save as own preset</source>
-        <translation>Als eigene Vorgabe sichern</translation>
+        <translation>Als eigene Vorgabe speichern</translation>
     </message>
     <message>
         <source>Name</source>
@@ -3533,7 +3533,7 @@
     <name>noctule::ui::ExportPresetList</name>
     <message>
         <source>Save as own preset</source>
-        <translation>Als eigene Vorgabe sichern</translation>
+        <translation>Als eigene Vorgabe speichern</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -3548,7 +3548,7 @@
     <name>noctule::ui::ExportResultsPanel</name>
     <message>
         <source>Save the check as text</source>
-        <translation>Prüfung als Text sichern</translation>
+        <translation>Prüfung als Text speichern</translation>
     </message>
     <message>
         <source>One frame written, read back and deleted</source>
@@ -3661,8 +3661,8 @@
     <message numerus="yes">
         <source>All boards were silent from %1 to %2. The pose in those %n frames is a guess.</source>
         <translation>
-            <numerusform>Alle Platinen schwiegen von %1 bis %2. Die Haltung in diesem %n Bild ist geraten.</numerusform>
-            <numerusform>Alle Platinen schwiegen von %1 bis %2. Die Haltung in diesen %n Bildern ist geraten.</numerusform>
+            <numerusform>Alle Platinen schwiegen von %1 bis %2. Die Pose in diesem %n Bild ist geraten.</numerusform>
+            <numerusform>Alle Platinen schwiegen von %1 bis %2. Die Pose in diesen %n Bildern ist geraten.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -3754,7 +3754,7 @@
     </message>
     <message>
         <source>CSV of positions and joint angles</source>
-        <translation>CSV: Positionen und Winkel</translation>
+        <translation>CSV: Positionen, Gelenkwinkel</translation>
     </message>
     <message>
         <source>CSV with angles, %1 frames</source>
@@ -3962,14 +3962,14 @@
     </message>
     <message>
         <source>How strong the Earth’s field is, compared with what is usual where you stand. Steel bends it: beyond 5 % a heading is wrong by several degrees.</source>
-        <translation>Wie stark das Erdfeld ist, verglichen mit dem, was hier üblich ist. Stahl verbiegt es: über 5 % ist eine Richtung um mehrere Grad falsch.</translation>
+        <translation>Wie stark das Erdfeld ist, verglichen mit dem, was hier üblich ist. Stahl verbiegt es: über 5&#xa0;% ist eine Richtung um mehrere Grad falsch.</translation>
     </message>
 </context>
 <context>
     <name>noctule::ui::FieldLive</name>
     <message>
         <source>The page goes on by itself when every sensor has 90 % of all directions. A sensor that stays behind can be done alone afterwards.</source>
-        <translation>Die Seite geht von selbst weiter, wenn jeder Sensor 90 % aller Richtungen hat. Ein Sensor, der zurückbleibt, kann danach allein an die Reihe kommen.</translation>
+        <translation>Die Anzeige geht von selbst weiter, wenn jeder Sensor 90&#xa0;% aller Richtungen hat. Ein Sensor, der zurückbleibt, kann danach allein an die Reihe kommen.</translation>
     </message>
     <message>
         <source>%1 of 100 directions, all sensors</source>
@@ -4044,7 +4044,7 @@
     </message>
     <message>
         <source>The spot is bent, or iron lies beside it. Go 1 m away from steel; readings begin anew.</source>
-        <translation>Das Feld ist hier verzerrt, oder Eisen liegt daneben. 1 m von Stahl weggehen und den Sensor neu beginnen.</translation>
+        <translation>Das Feld ist hier verzerrt, oder Eisen liegt daneben. 1&#xa0;m von Stahl weggehen und den Sensor neu beginnen.</translation>
     </message>
     <message>
         <source>%1 of %2 have enough</source>
@@ -4057,13 +4057,13 @@
     <message numerus="yes">
         <source>Use the %n that are done</source>
         <translation>
-            <numerusform>Den %n fertigen benutzen</numerusform>
-            <numerusform>Die %n fertigen benutzen</numerusform>
+            <numerusform>Den einen fertigen verwenden</numerusform>
+            <numerusform>Die %n fertigen verwenden</numerusform>
         </translation>
     </message>
     <message>
         <source>No sensor has 90 % of the directions yet.</source>
-        <translation>Noch kein Sensor hat 90 % der Richtungen.</translation>
+        <translation>Noch kein Sensor hat 90&#xa0;% der Richtungen.</translation>
     </message>
     <message>
         <source>Nothing has been turned yet.</source>
@@ -4075,7 +4075,7 @@
     </message>
     <message>
         <source>Ask for the skipped ones again</source>
-        <translation>Übersprungene wieder aufnehmen</translation>
+        <translation>Ausgelassene wieder aufnehmen</translation>
     </message>
     <message>
         <source>Near the floor</source>
@@ -4095,7 +4095,7 @@
     </message>
     <message>
         <source>Skip sensor %1</source>
-        <translation>Sensor %1 überspringen</translation>
+        <translation>Sensor %1 auslassen</translation>
     </message>
     <message>
         <source>%1 is not heard</source>
@@ -4103,7 +4103,7 @@
     </message>
     <message>
         <source>Push its plug in until it clicks; if its light stays dark, change the cable.</source>
-        <translation>Den Stecker bis zum Klicken eindrücken; bleibt sein Licht dunkel, das Kabel tauschen.</translation>
+        <translation>Den Stecker bis zum Klicken eindrücken; bleibt sein Licht dunkel, das Kabel wechseln.</translation>
     </message>
     <message>
         <source>This is the first step.</source>
@@ -4332,7 +4332,7 @@
     </message>
     <message>
         <source>%1 ranges heard, none used by this result</source>
-        <translation>%1 Entfernungen gehört, von diesem Ergebnis keine benutzt</translation>
+        <translation>%1 Entfernungen gehört, von diesem Ergebnis keine verwendet</translation>
     </message>
     <message>
         <source>Board %1, %2: heard, but not usable without source offsets</source>
@@ -4383,7 +4383,7 @@
     </message>
     <message>
         <source>Glossary</source>
-        <translation>Wörterverzeichnis</translation>
+        <translation>Glossar</translation>
     </message>
     <message>
         <source>Robots</source>
@@ -4426,7 +4426,7 @@
     </message>
     <message>
         <source>%1 / %2 s</source>
-        <translation>%1 / %2 s</translation>
+        <translation>%1 / %2&#xa0;s</translation>
     </message>
 </context>
 <context>
@@ -4750,11 +4750,11 @@
     </message>
     <message>
         <source>The take before is being saved. Wait a moment.</source>
-        <translation>Die Aufnahme davor wird gesichert. Einen Moment warten.</translation>
+        <translation>Die Aufnahme davor wird gespeichert. Einen Moment warten.</translation>
     </message>
     <message>
         <source>The driver box does not answer. Connect it again.</source>
-        <translation>Die Steuerbox antwortet nicht. Sie erneut verbinden.</translation>
+        <translation>Die Steuerbox antwortet nicht. Noch einmal verbinden.</translation>
     </message>
     <message>
         <source>The link to the driver box is broken. Recording can begin when it is back.</source>
@@ -4766,7 +4766,7 @@
     </message>
     <message>
         <source>Saving %1</source>
-        <translation>%1 wird gesichert</translation>
+        <translation>%1 wird gespeichert</translation>
     </message>
     <message>
         <source>The driver box is busy. Wait a moment.</source>
@@ -4778,7 +4778,7 @@
     </message>
     <message>
         <source>Keeping %1</source>
-        <translation>%1 wird gesichert</translation>
+        <translation>%1 wird aufbewahrt</translation>
     </message>
 </context>
 <context>
@@ -4830,7 +4830,7 @@
     </message>
     <message>
         <source>Saving %1</source>
-        <translation>%1 wird gesichert</translation>
+        <translation>%1 wird gespeichert</translation>
     </message>
 </context>
 <context>
@@ -4897,7 +4897,7 @@
     </message>
     <message>
         <source>%1 kHz</source>
-        <translation>%1 kHz</translation>
+        <translation>%1&#xa0;kHz</translation>
     </message>
     <message>
         <source>not kept</source>
@@ -4942,7 +4942,7 @@
     </message>
     <message>
         <source>It may have been moved, or its disk is not connected.</source>
-        <translation>Vielleicht wurde es verschoben, oder der Datenträger ist nicht angeschlossen.</translation>
+        <translation>Vielleicht wurde es verschoben, oder sein Datenträger ist nicht angeschlossen.</translation>
     </message>
     <message>
         <source>%1 holds no session</source>
@@ -4975,7 +4975,7 @@
     </message>
     <message>
         <source>Save what can be read</source>
-        <translation>Lesbares sichern</translation>
+        <translation>Lesbares speichern</translation>
     </message>
     <message>
         <source>Close Noctule</source>
@@ -5053,7 +5053,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>The live view skipped part of the sound; the take holds all of it. Process it.</source>
-        <translation>Die Live-Ansicht hat einen Teil des Schalls übersprungen; die Aufnahme enthält ihn ganz. Sie verarbeiten.</translation>
+        <translation>Die Live-Ansicht hat einen Teil des Tons übersprungen; die Aufnahme enthält ihn ganz. Die Aufnahme verarbeiten.</translation>
     </message>
     <message>
         <source>Process</source>
@@ -5088,7 +5088,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>source: sends a pulse every 64 ms</source>
-        <translation>Quelle: sendet alle 64 ms einen Puls</translation>
+        <translation>Quelle: sendet alle 64&#xa0;ms einen Puls</translation>
     </message>
     <message>
         <source>Legend</source>
@@ -5096,7 +5096,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>board, sound and motion arrive</source>
-        <translation>Platine, Schall und Bewegung kommen an</translation>
+        <translation>Platine, Ton und Bewegung kommen an</translation>
     </message>
     <message>
         <source>board, nothing arrives</source>
@@ -5104,7 +5104,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>source, sends a pulse every 64 ms</source>
-        <translation>Quelle, sendet alle 64 ms einen Puls</translation>
+        <translation>Quelle, sendet alle 64&#xa0;ms einen Puls</translation>
     </message>
 </context>
 <context>
@@ -5151,7 +5151,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>M sets a marker at the cursor.</source>
-        <translation>M setzt eine Marke am Zeitzeiger.</translation>
+        <translation>M setzt eine Marke am Zeiger.</translation>
     </message>
 </context>
 <context>
@@ -5194,7 +5194,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>Realistic: slipping boards, soft tissue</source>
-        <translation>Realistisch: rutschende Platinen, Weichteile</translation>
+        <translation>Realistisch: rutschende Platinen, Weichgewebe</translation>
     </message>
     <message>
         <source>Suit and room</source>
@@ -5214,7 +5214,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>Found by itself</source>
-        <translation>Selbst gefunden</translation>
+        <translation>Automatisch erkannt</translation>
     </message>
     <message>
         <source>Y is up</source>
@@ -5250,7 +5250,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>CMU&apos;s unit, 5.64 cm</source>
-        <translation>Einheit der CMU, 5,64 cm</translation>
+        <translation>Einheit der CMU, 5,64&#xa0;cm</translation>
     </message>
     <message>
         <source>Unit</source>
@@ -5295,7 +5295,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>%1 m tall, %2 points up, 1 unit is %3 m</source>
         <comment>height, axis, length</comment>
-        <translation>%1 m groß, %2 zeigt nach oben, 1 Einheit ist %3 m</translation>
+        <translation>%1&#xa0;m groß, %2 zeigt nach oben, 1 Einheit ist %3&#xa0;m</translation>
     </message>
     <message>
         <source>no person was found</source>
@@ -5465,15 +5465,15 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>Driver boxes are found on USB and in the network; Connect says whether the suit is ready and what to do about it.</source>
-        <translation>Steuerboxen werden an USB und im Netz gefunden; Verbinden sagt, ob der Anzug bereit ist und was zu tun ist.</translation>
+        <translation>Steuerboxen werden an USB und im Netzwerk gefunden; der Schritt Verbinden sagt, ob der Anzug bereit ist und was zu tun ist.</translation>
     </message>
     <message>
         <source>Record from a suit: the live body with its rays, levels, a countdown, a shot list, markers and notes; the take opens in Review at once.</source>
-        <translation>Von einem Anzug aufnehmen: der Körper live mit seinen Strahlen, Pegel, ein Countdown, eine Aufnahmeliste, Marken und Notizen; die Aufnahme öffnet sich sofort in Prüfen.</translation>
+        <translation>Von einem Anzug aufnehmen: der Körper live mit seinen Strahlen, Pegel, ein Countdown, eine Szenenliste, Marken und Notizen; die Aufnahme öffnet sich sofort im Schritt Prüfen.</translation>
     </message>
     <message>
         <source>Calibration wizards for source offsets, accelerometers, gyroscopes, rest pose and movement, and a check of three seconds before a take that matters.</source>
-        <translation>Assistenten zur Kalibrierung von Quellenversatz, Beschleunigungssensoren, Gyroskopen, Ruhehaltung und Bewegung, und eine Prüfung von drei Sekunden vor einer wichtigen Aufnahme.</translation>
+        <translation>Assistenten zur Kalibrierung von Quellenversatz, Beschleunigungssensoren, Gyroskopen, Ruhehaltung und Bewegung, und eine Kontrolle von drei Sekunden vor einer wichtigen Aufnahme.</translation>
     </message>
     <message>
         <source>Review with the body in three dimensions and plots of everything a take holds, all on one time; compare with a reference, read the report inside the window.</source>
@@ -5648,7 +5648,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>Duplicate this performer</source>
-        <translation>Diesen Darsteller verdoppeln</translation>
+        <translation>Diesen Darsteller duplizieren</translation>
     </message>
     <message>
         <source>Rename this performer</source>
@@ -5746,7 +5746,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>A board 5 mm and 3° away from where it is placed here costs about 2° in the joints around it.</source>
-        <translation>Eine Platine, die 5 mm und 3° anders sitzt als hier angegeben, kostet etwa 2° in den Gelenken ringsum.</translation>
+        <translation>Eine Platine, die 5&#xa0;mm und 3° anders sitzt als hier angegeben, kostet etwa 2° in den Gelenken ringsum.</translation>
     </message>
     <message>
         <source>Boards and sources</source>
@@ -5820,7 +5820,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>Axes of the segment as they lie in a T pose.</source>
-        <translation>Achsen des Glieds, wie sie in der T-Haltung liegen.</translation>
+        <translation>Achsen des Glieds, wie sie in der T-Pose liegen.</translation>
     </message>
 </context>
 <context>
@@ -5842,7 +5842,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <name>noctule::ui::PlotPanel</name>
     <message>
         <source>More plots</source>
-        <translation>Weitere Kurven</translation>
+        <translation>Weitere Diagramme</translation>
     </message>
     <message>
         <source>Open a take to see its curves.</source>
@@ -5891,7 +5891,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>Save as PNG…</source>
-        <translation>Als PNG sichern …</translation>
+        <translation>Als PNG speichern&#xa0;…</translation>
     </message>
     <message>
         <source>Values of the plots</source>
@@ -5903,7 +5903,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>Save as CSV…</source>
-        <translation>Als CSV sichern …</translation>
+        <translation>Als CSV speichern&#xa0;…</translation>
     </message>
     <message>
         <source>%1, lower 2 sigma</source>
@@ -5924,7 +5924,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>Save the plots as a picture</source>
-        <translation>Diagramme als Bild sichern</translation>
+        <translation>Diagramme als Bild speichern</translation>
     </message>
     <message>
         <source>Picture (*.png)</source>
@@ -5936,7 +5936,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>Save the values that are shown</source>
-        <translation>Gezeigte Werte sichern</translation>
+        <translation>Gezeigte Werte speichern</translation>
     </message>
     <message>
         <source>Table (*.csv)</source>
@@ -5984,7 +5984,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>%1 %</source>
         <comment>size of text in percent</comment>
-        <translation>%1 %</translation>
+        <translation>%1&#xa0;%</translation>
     </message>
     <message>
         <source>Size of text</source>
@@ -6032,11 +6032,11 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>Saving</source>
-        <translation>Sichern</translation>
+        <translation>Speichern</translation>
     </message>
     <message>
         <source>There is nothing to save by hand: every change of a session is on disk within a second, and a take is never changed, results are added to it. After a crash the start page says what is safe.</source>
-        <translation>Von Hand ist nichts zu sichern: jede Änderung einer Sitzung ist binnen einer Sekunde auf der Platte, und eine Aufnahme wird nie verändert, Ergebnisse kommen hinzu. Nach einem Absturz sagt die Startseite, was sicher ist.</translation>
+        <translation>Von Hand ist nichts zu speichern: jede Änderung einer Sitzung ist binnen einer Sekunde auf dem Datenträger, und eine Aufnahme wird nie verändert, Ergebnisse kommen hinzu. Nach einem Absturz sagt die Startseite, was sicher ist.</translation>
     </message>
     <message>
         <source>Recording</source>
@@ -6064,7 +6064,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>Spoken cues</source>
-        <translation>Gesprochene Hinweise</translation>
+        <translation>Sprachhinweise</translation>
     </message>
     <message>
         <source>Countdown, start and stop of recordings, and the next step of a calibration are spoken.</source>
@@ -6200,7 +6200,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>Pelvis, abdomen, chest, then clavicles, arms and hands, then thighs, shins and feet. The microphone faces away from the body.</source>
-        <translation>Becken, Bauch, Brust, dann Schlüsselbeine, Arme und Hände, dann Oberschenkel, Schienbeine und Füße. Das Mikrofon zeigt vom Körper weg.</translation>
+        <translation>Becken, Bauch, Brust, dann Schlüsselbeine, Arme und Hände, dann Oberschenkel, Unterschenkel und Füße. Das Mikrofon zeigt vom Körper weg.</translation>
     </message>
     <message>
         <source>Tight, not painful</source>
@@ -6268,7 +6268,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>Battery</source>
-        <translation>Batterie</translation>
+        <translation>Akku</translation>
     </message>
     <message>
         <source>Storage</source>
@@ -6363,7 +6363,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <name>noctule::ui::ReadinessWords</name>
     <message>
         <source>No sound arrives</source>
-        <translation>Kein Schall kommt an</translation>
+        <translation>Kein Ton kommt an</translation>
     </message>
     <message>
         <source>The driver box is there and sends nothing. Wait a moment; if it stays so, switch it off and on again.</source>
@@ -6375,7 +6375,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>The driver box has not answered since %1. The studio tries again by itself; check the cable or the network.</source>
-        <translation>Die Steuerbox antwortet seit %1 nicht. Das Studio versucht es von selbst wieder; Kabel oder Netz prüfen.</translation>
+        <translation>Die Steuerbox antwortet seit %1 nicht. Das Studio versucht es von selbst wieder; Kabel oder Netzwerk prüfen.</translation>
     </message>
     <message>
         <source>Push its plug in until it clicks; if the light stays dark, change the cable.</source>
@@ -6427,7 +6427,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>Board %1 was overdriven %2 times in the last second. Fasten it so that it cannot knock against anything.</source>
-        <translation>Platine %1 war in der letzten Sekunde %2-mal übersteuert. Sie so befestigen, dass sie nirgends anstößt.</translation>
+        <translation>Platine %1 war in der letzten Sekunde %2-mal übersteuert. So befestigen, dass sie nirgends anstößt.</translation>
     </message>
     <message>
         <source>%1 hears no source</source>
@@ -6444,12 +6444,12 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>%1: no board hears it. Check its plug; a strap or fold may cover it.</source>
         <comment>place of a source</comment>
-        <translation>%1: keine Platine hört sie. Den Stecker prüfen; ein Band oder eine Falte kann sie bedecken.</translation>
+        <translation>%1: keine Platine hört sie. Den Stecker prüfen; ein Gurt oder eine Falte kann sie verdecken.</translation>
     </message>
     <message>
         <source>%1: only %2 of its %3 pairs are good. A strap or fold probably covers it.</source>
         <comment>place of a source</comment>
-        <translation>%1: nur %2 ihrer %3 Paare sind gut. Wahrscheinlich bedeckt sie ein Band oder eine Falte.</translation>
+        <translation>%1: nur %2 ihrer %3 Paare sind gut. Wahrscheinlich verdeckt sie ein Gurt oder eine Falte.</translation>
     </message>
     <message>
         <source>Play source %1</source>
@@ -6457,11 +6457,11 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>The battery is almost empty</source>
-        <translation>Die Batterie ist fast leer</translation>
+        <translation>Der Akku ist fast leer</translation>
     </message>
     <message>
         <source>The battery is low</source>
-        <translation>Die Batterie ist schwach</translation>
+        <translation>Der Akku ist schwach</translation>
     </message>
     <message>
         <source>The disk is almost full</source>
@@ -6518,7 +6518,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>%1 MB/s</source>
-        <translation>%1 MB/s</translation>
+        <translation>%1&#xa0;MB/s</translation>
     </message>
     <message>
         <source>%1 is being connected</source>
@@ -6534,7 +6534,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>%1: no sound arrives</source>
-        <translation>%1: kein Schall kommt an</translation>
+        <translation>%1: kein Ton kommt an</translation>
     </message>
     <message numerus="yes">
         <source>%1 streaming, %2, %n block(s) lost</source>
@@ -6545,15 +6545,15 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>%1 min</source>
-        <translation>%1 min</translation>
+        <translation>%1&#xa0;min</translation>
     </message>
     <message>
         <source>%1 h</source>
-        <translation>%1 h</translation>
+        <translation>%1&#xa0;h</translation>
     </message>
     <message>
         <source>%1 h %2 min</source>
-        <translation>%1 h %2 min</translation>
+        <translation>%1&#xa0;h %2&#xa0;min</translation>
     </message>
     <message>
         <source>Link broken</source>
@@ -6561,7 +6561,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>Board %1 has heard no pulse for ten seconds. Check whether a strap or a fold covers its microphone.</source>
-        <translation>Platine %1 hat seit zehn Sekunden keinen Puls gehört. Prüfen, ob ein Band oder eine Falte ihr Mikrofon verdeckt.</translation>
+        <translation>Platine %1 hat seit zehn Sekunden keinen Puls gehört. Prüfen, ob ein Gurt oder eine Falte ihr Mikrofon verdeckt.</translation>
     </message>
     <message>
         <source>It is not known which board sits where</source>
@@ -6667,7 +6667,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>The stream loses frames</source>
-        <translation>Der Strom verliert Rahmen</translation>
+        <translation>Der Datenstrom verliert Rahmen</translation>
     </message>
     <message numerus="yes">
         <source>%n boards bring about %1 of %2 frames a second, all alike: the link or this computer is too slow. Use a cable or a nearer access point, and close other programs.</source>
@@ -6809,7 +6809,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>Can be rebuilt from its takes</source>
-        <translation>Lässt sich aus den Aufnahmen wiederherstellen</translation>
+        <translation>Lässt sich aus den Aufnahmen neu aufbauen</translation>
     </message>
 </context>
 <context>
@@ -6926,7 +6926,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>The countdown gives you time after the button. With a pre-roll the take begins that much earlier than the recording; be in the rest pose by then.</source>
-        <translation>Der Countdown gibt Zeit nach dem Knopf. Mit Vorlauf beginnt sie um so viel früher; dann schon in der Ruhehaltung stehen.</translation>
+        <translation>Der Countdown gibt Zeit nach dem Knopf. Mit Vorlauf beginnt die Aufnahme um so viel früher; dann schon in der Ruhehaltung stehen.</translation>
     </message>
     <message>
         <source>Pre-roll, from before the recording begins</source>
@@ -6934,7 +6934,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>No pre-roll: each stream of this suit begins in the rest pose</source>
-        <translation>Kein Vorlauf: Jeder Strom dieses Anzugs beginnt in der Ruhehaltung</translation>
+        <translation>Kein Vorlauf: Jeder Datenstrom dieses Anzugs beginnt in der Ruhehaltung</translation>
     </message>
     <message>
         <source>next: %1</source>
@@ -6954,11 +6954,11 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>Stop both</source>
-        <translation>Beide anhalten</translation>
+        <translation>Beide beenden</translation>
     </message>
     <message>
         <source>Stop all %1</source>
-        <translation>Alle %1 anhalten</translation>
+        <translation>Alle %1 beenden</translation>
     </message>
     <message>
         <source>Record both</source>
@@ -7048,7 +7048,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>The disk has %1 left</source>
-        <translation>Die Platte reicht noch für %1</translation>
+        <translation>Der Datenträger reicht noch für %1</translation>
     </message>
     <message>
         <source>Recording stops by itself then, and the take is complete. Free some space, or choose another folder.</source>
@@ -7130,7 +7130,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>Source offsets</source>
-        <translation>Quellenversätze</translation>
+        <translation>Quellenversatz</translation>
     </message>
     <message>
         <source>the body hides the others; a quarter is usual</source>
@@ -7192,7 +7192,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>Stand still for three seconds: says whether a strap has moved</source>
-        <translation>Drei Sekunden stillstehen: sagt, ob ein Gurt verrutscht ist</translation>
+        <translation>Drei Sekunden still stehen: sagt, ob ein Gurt verrutscht ist</translation>
     </message>
     <message>
         <source>not yet</source>
@@ -7398,7 +7398,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>Rate</source>
-        <translation>Rate</translation>
+        <translation>Abtastrate</translation>
     </message>
     <message>
         <source>World axes</source>
@@ -7434,7 +7434,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>%1 Hz</source>
-        <translation>%1 Hz</translation>
+        <translation>%1&#xa0;Hz</translation>
     </message>
     <message>
         <source>none</source>
@@ -7451,7 +7451,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>comes with the recording</source>
-        <translation>liegt der Aufnahme bei</translation>
+        <translation>liegt der Aufzeichnung bei</translation>
     </message>
     <message>
         <source>Finding where each sensor sits</source>
@@ -7472,7 +7472,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>Import maps (*.json)</source>
-        <translation>Zuordnungen (*.json)</translation>
+        <translation>Import-Zuordnungen (*.json)</translation>
     </message>
     <message numerus="yes">
         <source>%n sensor(s) sit nowhere: poses leave them out.</source>
@@ -7483,7 +7483,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>The recording is being read.</source>
-        <translation>Die Aufnahme wird gelesen.</translation>
+        <translation>Die Aufzeichnung wird gelesen.</translation>
     </message>
     <message>
         <source>Nothing was read yet.</source>
@@ -7555,11 +7555,11 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>One sensor alone makes no body; the verb orient of the command line finds how it turns.</source>
-        <translation>Ein Sensor allein ergibt keinen Körper; das Verb orient der Befehlszeile findet, wie er sich dreht.</translation>
+        <translation>Ein Sensor allein ergibt keinen Körper; der Befehl orient der Befehlszeile findet, wie er sich dreht.</translation>
     </message>
     <message>
         <source>No sensor sits on a segment: the take will show no body.</source>
-        <translation>Kein Sensor sitzt auf einem Körperteil: Die Aufnahme wird keinen Körper zeigen.</translation>
+        <translation>Kein Sensor sitzt auf einem Glied: Die Aufnahme wird keinen Körper zeigen.</translation>
     </message>
 </context>
 <context>
@@ -7567,7 +7567,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>%1. Rebuilding makes a new session.json from what the takes know: performers, suits and the order of recording. Ratings, notes, in and out are not in the takes; a damaged session.json is kept beside the new one.</source>
         <comment>what is wrong and which takes are safe</comment>
-        <translation>%1. Wiederherstellen legt eine neue session.json aus dem an, was die Aufnahmen wissen: Darsteller, Anzüge und die Reihenfolge der Aufzeichnung. Bewertungen, Notizen, Anfang und Ende stehen nicht in den Aufnahmen; eine beschädigte session.json bleibt neben der neuen erhalten.</translation>
+        <translation>%1. Neu aufbauen legt eine neue session.json aus dem an, was die Aufnahmen wissen: Darsteller, Anzüge und die Reihenfolge der Aufzeichnung. Bewertungen, Notizen, Anfang und Ende stehen nicht in den Aufnahmen; eine beschädigte session.json bleibt neben der neuen erhalten.</translation>
     </message>
     <message>
         <source>Recover checks it and makes a whole take of it; the recording itself is kept in the trash of the session.</source>
@@ -7787,7 +7787,7 @@ keine Lücken</translation>
     <message>
         <source>range residual,
 median; good: under %1</source>
-        <translation>Entfernungsrest,
+        <translation>Restfehler,
 Median; gut: unter %1</translation>
     </message>
     <message>
@@ -7839,7 +7839,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>Save the report</source>
-        <translation>Bericht sichern</translation>
+        <translation>Bericht speichern</translation>
     </message>
     <message>
         <source>Web pages (*.html)</source>
@@ -7847,7 +7847,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>Saving %1</source>
-        <translation>%1 wird gesichert</translation>
+        <translation>%1 wird gespeichert</translation>
     </message>
     <message>
         <source>%1 is written.</source>
@@ -7867,7 +7867,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation>Sichern</translation>
+        <translation>Speichern</translation>
     </message>
     <message>
         <source>As HTML</source>
@@ -7887,7 +7887,7 @@ Median; gut: unter %1</translation>
     <name>noctule::ui::ReprocessDialog</name>
     <message>
         <source>Made %1</source>
-        <translation>Gemacht %1</translation>
+        <translation>Erstellt %1</translation>
     </message>
     <message>
         <source>Nominal values of the suit</source>
@@ -7911,7 +7911,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>How every limb turns: smooth and quick, but drifts by degrees a minute.</source>
-        <translation>Wie sich jedes Glied dreht: glatt und schnell, driftet aber um Grade je Minute.</translation>
+        <translation>Wie sich jedes Glied dreht: glatt und schnell, driftet aber um einige Grad je Minute.</translation>
     </message>
     <message>
         <source>Accelerometers</source>
@@ -7939,7 +7939,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>Found by the filter, as in a live recording.</source>
-        <translation>Vom Filter gefunden, wie beim Aufnehmen.</translation>
+        <translation>Vom Filter gefunden, wie bei einer Live-Aufnahme.</translation>
     </message>
     <message>
         <source>Root</source>
@@ -8043,7 +8043,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>Distances are measured</source>
-        <translation>Abstände werden gemessen</translation>
+        <translation>Entfernungen werden gemessen</translation>
     </message>
     <message>
         <source>Needs the recorded sound, which this take does not hold.</source>
@@ -8051,11 +8051,11 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>The filter of the paper has no smoother.</source>
-        <translation>Das Filter der Arbeit hat keine Glättung.</translation>
+        <translation>Der Filter der Veröffentlichung hat keine Glättung.</translation>
     </message>
     <message>
         <source>Each pose knows the 0.3 to 0.5 s that follow.</source>
-        <translation>Jede Pose kennt die folgenden 0,3 bis 0,5 s.</translation>
+        <translation>Jede Pose kennt die folgenden 0,3 bis 0,5&#xa0;s.</translation>
     </message>
     <message>
         <source>Level floor</source>
@@ -8123,7 +8123,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>As published by Vlasic 2007, and as in a live recording.</source>
-        <translation>Wie von Vlasic 2007 veröffentlicht und wie beim Aufnehmen.</translation>
+        <translation>Wie von Vlasic 2007 veröffentlicht und wie bei einer Live-Aufnahme.</translation>
     </message>
     <message>
         <source>In use now</source>
@@ -8159,18 +8159,18 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>All performers together: where they stand to each other is found.</source>
-        <translation>Alle Personen zusammen: Wo sie zueinander stehen, wird gefunden.</translation>
+        <translation>Alle Darsteller zusammen: Wo sie zueinander stehen, wird gefunden.</translation>
     </message>
     <message>
         <source>Each pose knows all that came before and after. Each performer for itself: where they stand to each other is not found.</source>
-        <translation>Jede Haltung kennt alles davor und danach. Jede Person für sich: Wo sie zueinander stehen, wird nicht gefunden.</translation>
+        <translation>Jede Pose kennt alles davor und danach. Jeder Darsteller für sich: Wo sie zueinander stehen, wird nicht gefunden.</translation>
     </message>
 </context>
 <context>
     <name>noctule::ui::ResultSide</name>
     <message>
         <source>Save and use</source>
-        <translation>Sichern und verwenden</translation>
+        <translation>Speichern und verwenden</translation>
     </message>
     <message>
         <source>Repeat steps</source>
@@ -8182,7 +8182,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>Save and use it anyway</source>
-        <translation>Trotzdem sichern und verwenden</translation>
+        <translation>Trotzdem speichern und verwenden</translation>
     </message>
     <message>
         <source>Nothing is changed by a check.</source>
@@ -8194,7 +8194,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>Saved. Takes are made with another calibration now; step Calibrate has the list.</source>
-        <translation>Gesichert. Aufgenommen wird jetzt mit einer anderen Kalibrierung; die Liste steht im Schritt Kalibrieren.</translation>
+        <translation>Gespeichert. Aufgenommen wird jetzt mit einer anderen Kalibrierung; die Liste steht im Schritt Kalibrieren.</translation>
     </message>
     <message>
         <source>Process takes again</source>
@@ -8214,11 +8214,11 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>Saved and in use. New takes are made with it; undo with %1.</source>
-        <translation>Gesichert und verwendet. Neue Aufnahmen entstehen damit; rückgängig mit %1.</translation>
+        <translation>Gespeichert und verwendet. Neue Aufnahmen entstehen damit; rückgängig mit %1.</translation>
     </message>
     <message>
         <source>Will be saved as %1, and later takes are made with it; undo with %2.</source>
-        <translation>Wird als %1 gesichert, und spätere Aufnahmen entstehen mit ihr; rückgängig mit %2.</translation>
+        <translation>Wird als %1 gespeichert, und spätere Aufnahmen entstehen mit ihr; rückgängig mit %2.</translation>
     </message>
 </context>
 <context>
@@ -8382,7 +8382,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>Made with</source>
-        <translation>Gemacht mit</translation>
+        <translation>Erstellt mit</translation>
     </message>
     <message>
         <source>Rename session</source>
@@ -8485,7 +8485,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>%1 lost %2 of its frames</source>
-        <translation>%1 hat %2 ihrer Pakete verloren</translation>
+        <translation>%1 hat %2 ihrer Rahmen verloren</translation>
     </message>
     <message numerus="yes">
         <source>%n other boards lost some too. Their neighbours carry them meanwhile; check plugs and cables before the next take.</source>
@@ -8548,11 +8548,11 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>The pose is a guess there. The timeline hatches these gaps; keep them outside in and out.</source>
-        <translation>Dort ist die Haltung geraten. Die Zeitleiste schraffiert diese Lücken; sie gehören nicht zwischen Anfang und Ende.</translation>
+        <translation>Dort ist die Pose geraten. Die Zeitleiste schraffiert diese Lücken; sie gehören nicht zwischen Anfang und Ende.</translation>
     </message>
     <message>
         <source>This result shows no pose</source>
-        <translation>Dieses Ergebnis zeigt keine Haltung</translation>
+        <translation>Dieses Ergebnis zeigt keine Pose</translation>
     </message>
     <message>
         <source>The filter found nothing to start from. Reprocess with all sensors, or look whether the take holds sound at all.</source>
@@ -8580,7 +8580,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>No joint was backed by ranges</source>
-        <translation>Kein Gelenk war von Entfernungen gestützt</translation>
+        <translation>Kein Gelenk wurde von Entfernungen gestützt</translation>
     </message>
     <message>
         <source>Ranges backed the joints only %1 of the time</source>
@@ -8616,15 +8616,15 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>A third of the ranges miss the pose by more than %1</source>
-        <translation>Ein Drittel der Abstände verfehlt die Pose um mehr als %1</translation>
+        <translation>Ein Drittel der Entfernungen verfehlt die Pose um mehr als %1</translation>
     </message>
     <message>
         <source>%1: half of its ranges miss the pose by more than %2</source>
-        <translation>%1: Die Hälfte der Abstände verfehlt die Pose um mehr als %2</translation>
+        <translation>%1: Die Hälfte der Entfernungen verfehlt die Pose um mehr als %2</translation>
     </message>
     <message>
         <source>It may sit elsewhere than the performer page says, or point elsewhere than when it was calibrated. Check it, then reprocess.</source>
-        <translation>Das Teil sitzt vielleicht anders, als die Seite der Person sagt, oder zeigt anders als beim Kalibrieren. Prüfen Sie es und verarbeiten Sie die Aufnahme neu.</translation>
+        <translation>Das Teil sitzt vielleicht anders, als die Darstellerseite sagt, oder zeigt anders als beim Kalibrieren. Prüfen Sie es und verarbeiten Sie die Aufnahme neu.</translation>
     </message>
     <message>
         <source>The suit has no sources</source>
@@ -8644,7 +8644,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>Where they stand to each other is not known</source>
-        <translation>Wie sie zueinander stehen, ist nicht bekannt</translation>
+        <translation>Wo sie zueinander stehen, ist nicht bekannt</translation>
     </message>
     <message>
         <source>No ranges between the performers or to a room were used, so their distance is a guess. See that every suit has a calibration and heard the others, and process with all sensors.</source>
@@ -8656,7 +8656,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>It keeps its usual pose meanwhile. A board on it, or on what it carries, tells it.</source>
-        <translation>Die übliche Haltung bleibt so lange. Eine Platine darauf, oder auf dem, was daran hängt, erfasst es.</translation>
+        <translation>Die übliche Pose bleibt so lange. Eine Platine darauf, oder auf dem, was daran hängt, erfasst es.</translation>
     </message>
     <message>
         <source>%1 is less certain</source>
@@ -8667,7 +8667,7 @@ Median; gut: unter %1</translation>
     <name>noctule::ui::RigDrawing</name>
     <message>
         <source>30 to 90 cm</source>
-        <translation>30 bis 90 cm</translation>
+        <translation>30 bis 90&#xa0;cm</translation>
     </message>
     <message>
         <source>box</source>
@@ -8702,7 +8702,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>dashed: commanded, line: achieved; a division is 100 mm</source>
-        <translation>gestrichelt: Soll, Linie: Ist; ein Teilstrich ist 100 mm</translation>
+        <translation>gestrichelt: Soll, Linie: Ist; ein Teilstrich ist 100&#xa0;mm</translation>
     </message>
     <message>
         <source>Suit to command</source>
@@ -8858,7 +8858,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>Saving the robot’s commands</source>
-        <translation>Befehle des Roboters werden gesichert</translation>
+        <translation>Befehle des Roboters werden gespeichert</translation>
     </message>
     <message numerus="yes">
         <source>%n command(s) and states of the robot are not in %1.</source>
@@ -8943,7 +8943,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>looking for the robot</source>
-        <translation>wird gesucht</translation>
+        <translation>Roboter wird gesucht</translation>
     </message>
     <message>
         <source>answers</source>
@@ -8979,7 +8979,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>The take in Review</source>
-        <translation>Aufnahme in Prüfung</translation>
+        <translation>Aufnahme in Prüfen</translation>
     </message>
     <message>
         <source>Follows</source>
@@ -9241,7 +9241,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>It is told to hold. Check its program and the network.</source>
-        <translation>Er soll halten. Prüfen Sie sein Programm und das Netz.</translation>
+        <translation>Er soll halten. Prüfen Sie sein Programm und das Netzwerk.</translation>
     </message>
     <message>
         <source>The robot refuses commands</source>
@@ -9360,7 +9360,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>%1 m</source>
-        <translation>%1 m</translation>
+        <translation>%1&#xa0;m</translation>
     </message>
     <message>
         <source>Ellipse: uncertainty, drawn %1 times larger. Line: walked.</source>
@@ -9446,11 +9446,11 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>Save as file</source>
-        <translation>Als Datei sichern</translation>
+        <translation>Als Datei speichern</translation>
     </message>
     <message>
         <source>Back to Calibrate</source>
-        <translation>Zurück zum Kalibrieren</translation>
+        <translation>Zurück zu Kalibrieren</translation>
     </message>
     <message>
         <source>It is being surveyed.</source>
@@ -9526,7 +9526,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>Save the room</source>
-        <translation>Raum sichern</translation>
+        <translation>Raum speichern</translation>
     </message>
     <message>
         <source>Rooms (*.json)</source>
@@ -9534,7 +9534,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>The room was not saved</source>
-        <translation>Der Raum wurde nicht gesichert</translation>
+        <translation>Der Raum wurde nicht gespeichert</translation>
     </message>
     <message>
         <source>%1 is written.</source>
@@ -9546,7 +9546,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>Go to Connect</source>
-        <translation>Zum Verbinden</translation>
+        <translation>Zu Verbinden</translation>
     </message>
     <message>
         <source>Walk and survey</source>
@@ -9601,11 +9601,11 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>Survey, %1 of %2 s</source>
-        <translation>Vermessung, %1 von %2 s</translation>
+        <translation>Vermessung, %1 von %2&#xa0;s</translation>
     </message>
     <message>
         <source>Survey, %1 s</source>
-        <translation>Vermessung, %1 s</translation>
+        <translation>Vermessung, %1&#xa0;s</translation>
     </message>
     <message>
         <source>In the middle, in sight of all anchors. The origin becomes where you stand, forward is where you face.</source>
@@ -9842,7 +9842,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>Save as picture</source>
-        <translation>Als Bild sichern</translation>
+        <translation>Als Bild speichern</translation>
     </message>
     <message>
         <source>View</source>
@@ -9877,7 +9877,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>Save as picture</source>
-        <translation>Als Bild sichern</translation>
+        <translation>Als Bild speichern</translation>
     </message>
     <message>
         <source>PNG picture (*.png)</source>
@@ -9893,7 +9893,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>Free space on the disk or choose another folder.</source>
-        <translation>Platz auf der Platte schaffen oder einen anderen Ordner wählen.</translation>
+        <translation>Platz auf dem Datenträger schaffen oder einen anderen Ordner wählen.</translation>
     </message>
 </context>
 <context>
@@ -9963,7 +9963,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>The motion has no pose at this time.</source>
-        <translation>Die Bewegung hat zu dieser Zeit keine Haltung.</translation>
+        <translation>Die Bewegung hat zu dieser Zeit keine Pose.</translation>
     </message>
     <message>
         <source>Live body, %1 of %2 pairs good</source>
@@ -9975,7 +9975,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>The live body appears here with the suit&apos;s first pose.</source>
-        <translation>Der Körper erscheint hier mit der ersten Haltung des Anzugs.</translation>
+        <translation>Der Körper erscheint hier mit der ersten Pose des Anzugs.</translation>
     </message>
     <message>
         <source>Result %1</source>
@@ -10056,7 +10056,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>The session could not be saved. Your takes are safe; the changes are kept here and saved with the next one</source>
-        <translation>Die Sitzung ließ sich nicht sichern. Die Aufnahmen sind sicher; die Änderungen bleiben hier und werden mit der nächsten gesichert</translation>
+        <translation>Die Sitzung ließ sich nicht speichern. Die Aufnahmen sind sicher; die Änderungen bleiben hier und werden mit der nächsten gespeichert</translation>
     </message>
     <message>
         <source>%1. %2</source>
@@ -10073,7 +10073,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>Rebuilding session %1</source>
-        <translation>Sitzung %1 wird wiederhergestellt</translation>
+        <translation>Sitzung %1 wird neu aufgebaut</translation>
     </message>
     <message>
         <source>The session was not opened</source>
@@ -10108,7 +10108,7 @@ Median; gut: unter %1</translation>
     <message>
         <source>%1 was damaged; what could be read of it is saved. %2.</source>
         <comment>how much was saved of it</comment>
-        <translation>%1 war beschädigt; was sich lesen ließ, ist gesichert. %2.</translation>
+        <translation>%1 war beschädigt; was sich lesen ließ, ist gespeichert. %2.</translation>
     </message>
     <message>
         <source>“%1” is open in another window</source>
@@ -10132,7 +10132,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>Change the shot list</source>
-        <translation>Aufnahmeliste ändern</translation>
+        <translation>Szenenliste ändern</translation>
     </message>
     <message>
         <source>Change the body of the view</source>
@@ -10217,12 +10217,12 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>Rebuild session</source>
-        <translation>Sitzung wiederherstellen</translation>
+        <translation>Sitzung neu aufbauen</translation>
     </message>
     <message>
         <source>What came in until then is safe on disk: %1. %2</source>
         <comment>names of takes, an offer</comment>
-        <translation>Was bis dahin ankam, liegt sicher auf der Platte: %1. %2</translation>
+        <translation>Was bis dahin ankam, liegt sicher auf dem Datenträger: %1. %2</translation>
     </message>
     <message>
         <source>Recover %1</source>
@@ -10260,7 +10260,7 @@ Median; gut: unter %1</translation>
     <name>noctule::ui::SessionSaver</name>
     <message>
         <source>Saving the session</source>
-        <translation>Die Sitzung wird gesichert</translation>
+        <translation>Die Sitzung wird gespeichert</translation>
     </message>
 </context>
 <context>
@@ -10271,7 +10271,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>Free some space on the disk; until then a skeleton is shown</source>
-        <translation>Platz auf der Platte schaffen; bis dahin erscheint ein Skelett</translation>
+        <translation>Platz auf dem Datenträger schaffen; bis dahin erscheint ein Skelett</translation>
     </message>
     <message>
         <source>Loading the body</source>
@@ -10327,7 +10327,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>Rays, ghost</source>
-        <translation>Strahlen, Vergleichsfigur</translation>
+        <translation>Strahlen, Umriss</translation>
     </message>
     <message>
         <source>Orbit</source>
@@ -10378,7 +10378,7 @@ Median; gut: unter %1</translation>
     <name>noctule::ui::ShotList</name>
     <message>
         <source>Shot list</source>
-        <translation>Aufnahmeliste</translation>
+        <translation>Szenenliste</translation>
     </message>
     <message>
         <source>What is to be recorded, one shot a line; takes are counted for each.</source>
@@ -10399,7 +10399,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>A shot list belongs to a session. Make or open one first.</source>
-        <translation>Eine Aufnahmeliste gehört zu einer Sitzung. Zuerst eine anlegen oder öffnen.</translation>
+        <translation>Eine Szenenliste gehört zu einer Sitzung. Zuerst eine anlegen oder öffnen.</translation>
     </message>
     <message>
         <source>%1 of %2 takes done</source>
@@ -10410,11 +10410,11 @@ Median; gut: unter %1</translation>
     <name>noctule::ui::ShotListDialog</name>
     <message>
         <source>Paste a shot list</source>
-        <translation>Aufnahmeliste einfügen</translation>
+        <translation>Szenenliste einfügen</translation>
     </message>
     <message>
         <source>Edit the shot list</source>
-        <translation>Aufnahmeliste bearbeiten</translation>
+        <translation>Szenenliste bearbeiten</translation>
     </message>
     <message>
         <source>One shot a line, in the order in which they are recorded. With &quot;x3&quot; at its end three takes of it are wanted; its first word names them.</source>
@@ -10434,7 +10434,7 @@ Drehen, beide Richtungen x3</translation>
     </message>
     <message>
         <source>Shot list</source>
-        <translation>Aufnahmeliste</translation>
+        <translation>Szenenliste</translation>
     </message>
     <message numerus="yes">
         <source>%n shot(s)</source>
@@ -10603,7 +10603,7 @@ Drehen, beide Richtungen x3</translation>
     </message>
     <message>
         <source>Recording in “%1” stopped unexpectedly. %2 are safe on disk; the other takes were not touched.</source>
-        <translation>Das Aufzeichnen in „%1“ brach unerwartet ab. %2 liegen sicher auf der Platte; die anderen Aufnahmen sind unberührt.</translation>
+        <translation>Die Aufnahme in „%1“ brach unerwartet ab. %2 liegen sicher auf dem Datenträger; die anderen Aufnahmen sind unberührt.</translation>
     </message>
     <message>
         <source>“%1” was not closed</source>
@@ -10612,8 +10612,8 @@ Drehen, beide Richtungen x3</translation>
     <message numerus="yes">
         <source>The studio ended unexpectedly while this session was open. Its %n take(s) are safe; changes to notes and ratings were saved up to the last second.</source>
         <translation>
-            <numerusform>Das Studio wurde unerwartet beendet, während diese Sitzung offen war. Ihre Aufnahme ist sicher; Änderungen an Notizen und Bewertungen sind bis zur letzten Sekunde gesichert.</numerusform>
-            <numerusform>Das Studio wurde unerwartet beendet, während diese Sitzung offen war. Ihre %n Aufnahmen sind sicher; Änderungen an Notizen und Bewertungen sind bis zur letzten Sekunde gesichert.</numerusform>
+            <numerusform>Das Studio wurde unerwartet beendet, während diese Sitzung offen war. Ihre Aufnahme ist sicher; Änderungen an Notizen und Bewertungen sind bis zur letzten Sekunde gespeichert.</numerusform>
+            <numerusform>Das Studio wurde unerwartet beendet, während diese Sitzung offen war. Ihre %n Aufnahmen sind sicher; Änderungen an Notizen und Bewertungen sind bis zur letzten Sekunde gespeichert.</numerusform>
         </translation>
     </message>
     <message>
@@ -10634,15 +10634,15 @@ Drehen, beide Richtungen x3</translation>
     </message>
     <message>
         <source>Rebuild session</source>
-        <translation>Sitzung wiederherstellen</translation>
+        <translation>Sitzung neu aufbauen</translation>
     </message>
     <message>
         <source>Connect a suit</source>
-        <translation>Einen Anzug verbinden</translation>
+        <translation>Anzug verbinden</translation>
     </message>
     <message>
         <source>No driver box is found. Switch one on, or connect it by USB; the virtual suit on Connect stands in for one.</source>
-        <translation>Keine Steuerbox ist gefunden. Eine einschalten oder über USB anschließen; der virtuelle Anzug auf Verbinden vertritt sie.</translation>
+        <translation>Keine Steuerbox ist gefunden. Eine einschalten oder über USB anschließen; der virtuelle Anzug im Schritt Verbinden vertritt sie.</translation>
     </message>
     <message>
         <source>is connected</source>
@@ -10674,7 +10674,7 @@ Drehen, beide Richtungen x3</translation>
     </message>
     <message>
         <source>Take %1 was recovered</source>
-        <translation>Aufnahme %1 wurde gerettet</translation>
+        <translation>Aufnahme %1 wurde wiederhergestellt</translation>
     </message>
     <message>
         <source>Take %1 broke off</source>
@@ -10745,7 +10745,7 @@ Drehen, beide Richtungen x3</translation>
     <message>
         <source>%1, all changes are kept</source>
         <comment>name of the session</comment>
-        <translation>%1, alle Änderungen sind gesichert</translation>
+        <translation>%1, alle Änderungen sind gespeichert</translation>
     </message>
     <message numerus="yes">
         <source>%n jobs running</source>
@@ -10778,7 +10778,7 @@ Drehen, beide Richtungen x3</translation>
     </message>
     <message>
         <source>A suit of 18 boards records 5.4 MB a second.</source>
-        <translation>Ein Anzug mit 18 Platinen zeichnet 5,4 MB in der Sekunde auf.</translation>
+        <translation>Ein Anzug mit 18 Platinen zeichnet 5,4&#xa0;MB in der Sekunde auf.</translation>
     </message>
     <message>
         <source>Noctule %1. Works offline, no account</source>
@@ -10787,7 +10787,7 @@ Drehen, beide Richtungen x3</translation>
     </message>
     <message>
         <source>%1 °C</source>
-        <translation>%1 °C</translation>
+        <translation>%1&#xa0;°C</translation>
     </message>
     <message>
         <source>Storage %1 free, %2 of recording</source>
@@ -10871,8 +10871,8 @@ Drehen, beide Richtungen x3</translation>
         <source>%1 of %2 is ready: %n pose(s)</source>
         <comment>name of the result, of the take</comment>
         <translation>
-            <numerusform>%1 von %2 ist bereit: %n Haltung</numerusform>
-            <numerusform>%1 von %2 ist bereit: %n Haltungen</numerusform>
+            <numerusform>%1 von %2 ist bereit: %n Pose</numerusform>
+            <numerusform>%1 von %2 ist bereit: %n Posen</numerusform>
         </translation>
     </message>
     <message>
@@ -10885,7 +10885,7 @@ Drehen, beide Richtungen x3</translation>
     <message>
         <source>%1, %2 kHz</source>
         <comment>serial number and carrier of a driver box</comment>
-        <translation>%1, %2 kHz</translation>
+        <translation>%1, %2&#xa0;kHz</translation>
     </message>
     <message numerus="yes">
         <source>%1, and %n more</source>
@@ -10911,7 +10911,7 @@ Drehen, beide Richtungen x3</translation>
     <message>
         <source>Being saved</source>
         <comment>a suit&apos;s part of a take</comment>
-        <translation>Wird gesichert</translation>
+        <translation>Wird gespeichert</translation>
     </message>
     <message>
         <source>Records, %1</source>
@@ -11001,7 +11001,7 @@ Drehen, beide Richtungen x3</translation>
     <name>noctule::ui::TakeClock</name>
     <message>
         <source>On disk up to %1</source>
-        <translation>Auf der Platte bis %1</translation>
+        <translation>Gespeichert bis %1</translation>
     </message>
 </context>
 <context>
@@ -11074,7 +11074,7 @@ Drehen, beide Richtungen x3</translation>
     </message>
     <message>
         <source>Save what can be read</source>
-        <translation>Lesbares sichern</translation>
+        <translation>Lesbares speichern</translation>
     </message>
     <message>
         <source>Rating</source>
@@ -11121,11 +11121,11 @@ Drehen, beide Richtungen x3</translation>
     </message>
     <message>
         <source>Move to session…</source>
-        <translation>In andere Sitzung verschieben…</translation>
+        <translation>In andere Sitzung verschieben&#xa0;…</translation>
     </message>
     <message>
         <source>Copy to session…</source>
-        <translation>In andere Sitzung kopieren…</translation>
+        <translation>In andere Sitzung kopieren&#xa0;…</translation>
     </message>
 </context>
 <context>
@@ -11341,7 +11341,7 @@ Drehen, beide Richtungen x3</translation>
     </message>
     <message>
         <source>One large button. A take is on disk while it runs; whatever happens, it is safe up to the last second.</source>
-        <translation>Ein großer Knopf. Eine Aufnahme ist schon während des Laufs auf der Platte; was auch geschieht, sie ist bis zur letzten Sekunde sicher.</translation>
+        <translation>Ein großer Knopf. Eine Aufnahme ist schon während des Laufs auf dem Datenträger; was auch geschieht, sie ist bis zur letzten Sekunde sicher.</translation>
     </message>
     <message>
         <source>Review</source>
@@ -11526,7 +11526,7 @@ Drehen, beide Richtungen x3</translation>
     </message>
     <message>
         <source>Install Noctule again</source>
-        <translation>Noctule erneut installieren</translation>
+        <translation>Noctule neu installieren</translation>
     </message>
     <message>
         <source>Preparing the virtual suit</source>
@@ -11630,7 +11630,7 @@ Drehen, beide Richtungen x3</translation>
     </message>
     <message>
         <source>Record or stop</source>
-        <translation>Aufnehmen oder anhalten</translation>
+        <translation>Aufnehmen oder beenden</translation>
     </message>
     <message>
         <source>Performer and suit</source>
@@ -11674,7 +11674,7 @@ Drehen, beide Richtungen x3</translation>
     </message>
     <message>
         <source>Import recording</source>
-        <translation>Aufnahme importieren</translation>
+        <translation>Aufzeichnung importieren</translation>
     </message>
     <message>
         <source>Robot</source>
@@ -11736,7 +11736,7 @@ Drehen, beide Richtungen x3</translation>
     </message>
     <message>
         <source>Skip a board</source>
-        <translation>Eine Platine auslassen</translation>
+        <translation>Platine auslassen</translation>
     </message>
     <message>
         <source>Use board %1 again</source>
@@ -11991,7 +11991,7 @@ Drehen, beide Richtungen x3</translation>
     </message>
     <message>
         <source>Keeping %1</source>
-        <translation>Aufheben: %1</translation>
+        <translation>%1 wird aufbewahrt</translation>
     </message>
 </context>
 <context>
@@ -12037,7 +12037,7 @@ Drehen, beide Richtungen x3</translation>
     <message>
         <source>%1 min</source>
         <comment>an age</comment>
-        <translation>%1 min</translation>
+        <translation>%1&#xa0;min</translation>
     </message>
     <message numerus="yes">
         <source>%n hour(s)</source>

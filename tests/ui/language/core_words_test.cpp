@@ -82,7 +82,7 @@ TEST_F(CoreWords, ValuesHaveTheDecimalSignOfTheScreen) {
 TEST_F(CoreWords, NumbersInsideOfAValueHaveThatSignToo) {
     const std::pair<const char*, const char*> texts[] = {{"4.5 sigma", "4,5 sigma"},
                                                          {"1.0 2.0 −3.1", "1,0 2,0 −3,1"},
-                                                         {"2026-11-18, 0.9 mm", "2026-11-18, 0,9 mm"},
+                                                         {"2026-11-18, 0.9 mm", "2026-11-18, 0,9\u00a0mm"},
                                                          {"0.9 mm (4.5 sigma)", "0,9 mm (4,5 sigma)"},
                                                          {"0.31 ± 0.02", "0,31 ± 0,02"},
                                                          {"9.81 m/s²", "9,81 m/s²"},
@@ -102,12 +102,12 @@ TEST_F(CoreWords, WhatStandsInBracketsBehindANameIsGerman) {
 }
 
 TEST_F(CoreWords, AFigureIsDescribedInGerman) {
-    EXPECT_EQ(
-        coreWords("walk: 123 frames at 60.00 per second; a figure 1.75 m tall (1 unit = 0.01 m), y up; "
-                  "19 joints by name; zero pose: T pose")
-            .toStdString(),
-        "walk: 123 Bilder mit 60,00 je Sekunde; eine Figur von 1,75 m Größe (1 Einheit = 0,01 m), y nach "
-        "oben; 19 Gelenke nach ihrem Namen; Nullpose: T-Pose");
+    EXPECT_EQ(coreWords("walk: 123 frames at 60.00 per second; a figure 1.75 m tall (1 unit = 0.01 m), y up; "
+                        "19 joints by name; zero pose: T pose")
+                  .toStdString(),
+              "walk: 123 Bilder mit 60,00 je Sekunde; eine Figur von 1,75\u00a0m Größe (1 Einheit = "
+              "0,01\u00a0m), y nach "
+              "oben; 19 Gelenke nach ihrem Namen; Nullpose: T-Pose");
 }
 
 TEST_F(CoreWords, BoardsOfFindingsAreGerman) {
@@ -118,16 +118,17 @@ TEST_F(CoreWords, BoardsOfFindingsAreGerman) {
 
 TEST_F(CoreWords, SavedPartsOfADamagedTakeAreGerman) {
     TakeLosses losses{{{"adc_block", 3, 5}, {"reference", 0, 7}, {"external_root", 54, 46}}, 1, 2};
-    EXPECT_EQ(
-        coreWords(savedText(losses)).toStdString(),
-        "Davon gesichert: 1,00 s von 2,00 s des Tons, nichts von der Referenzbewegung, etwa 54 % von der "
-        "Wurzel von außen; alles Übrige ist vollständig");
+    EXPECT_EQ(coreWords(savedText(losses)).toStdString(),
+              "Davon gespeichert: 1,00\u00a0s von 2,00\u00a0s des Tons, nichts von der Referenzbewegung, "
+              "etwa 54 % von der "
+              "Wurzel von außen; alles Übrige ist vollständig");
     losses.tables.resize(1);
     losses.may_have_had_more = true;
-    EXPECT_EQ(coreWords(savedText(losses)).toStdString(),
-              "Davon gesichert: 1,00 s von 2,00 s des Tons; alles Übrige ist vollständig. Auch das "
-              "Verzeichnis ihres Inhalts "
-              "ist beschädigt, es kann also mehr verloren sein");
+    EXPECT_EQ(
+        coreWords(savedText(losses)).toStdString(),
+        "Davon gespeichert: 1,00\u00a0s von 2,00\u00a0s des Tons; alles Übrige ist vollständig. Auch das "
+        "Verzeichnis ihres Inhalts "
+        "ist beschädigt, es kann also mehr verloren sein");
 }
 
 TEST_F(CoreWords, StagesOfAJobAreGerman) {
@@ -152,7 +153,7 @@ TEST_F(CoreWords, ErrorsOfTheStudioAndReasonsOfTheSystemAreGerman) {
                   .toStdString(),
               "/mnt/takes: lässt sich nicht anlegen: keine Berechtigung. In den Einstellungen einen anderen "
               "Ordner für Sitzungen wählen");
-    EXPECT_EQ(coreWords("The driver box sends no sound").toStdString(), "Die Treiberbox sendet keinen Ton");
+    EXPECT_EQ(coreWords("The driver box sends no sound").toStdString(), "Die Steuerbox sendet keinen Ton");
 }
 
 TEST_F(CoreWords, TagsAndStylesOfADocumentStayTextsDoNot) {
