@@ -9,64 +9,15 @@
 #include <QProcess>
 #include <QRegularExpression>
 #include <QTemporaryDir>
-#include <QXmlStreamReader>
 #include <map>
+#include <set>
+
+#include "tests/ui/language/translation_file.h"
 
 namespace noctule::ui {
 namespace {
 
 const QString kSources = NOCTULE_SOURCE_DIR;
-const QString kTranslations = kSources + "/resources/translations/";
-
-struct Message {
-    QString context, source, comment;
-    QStringList forms;  ///< one, or two of a plural
-    bool plural = false, finished = true;
-
-    QString key() const { return context + '|' + source + '|' + comment; }
-};
-
-Message readMessage(QXmlStreamReader& xml, const QString& context) {
-    Message message;
-    message.context = context;
-    message.plural = xml.attributes().value("numerus") == "yes";
-    while (xml.readNextStartElement()) {
-        if (xml.name() == "source") {
-            message.source = xml.readElementText();
-        } else if (xml.name() == "comment") {
-            message.comment = xml.readElementText();
-        } else if (xml.name() == "translation") {
-            message.finished = !xml.attributes().hasAttribute("type");
-            if (!message.plural)
-                message.forms.append(xml.readElementText());
-            else
-                while (xml.readNextStartElement())
-                    message.forms.append(xml.readElementText());
-        } else {
-            xml.skipCurrentElement();
-        }
-    }
-    return message;
-}
-
-std::vector<Message> readTs(const QString& path) {
-    QFile file(path);
-    EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << path.toStdString();
-    QXmlStreamReader xml(&file);
-    std::vector<Message> messages;
-    QString context;
-    while (!xml.atEnd()) {
-        xml.readNext();
-        if (!xml.isStartElement())
-            continue;
-        if (xml.name() == "name")
-            context = xml.readElementText();
-        else if (xml.name() == "message")
-            messages.push_back(readMessage(xml, context));
-    }
-    EXPECT_FALSE(xml.hasError()) << xml.errorString().toStdString();
-    return messages;
-}
 
 QStringList placeholders(const QString& text) {
     static const QRegularExpression pattern("%(L?\\d+|n)");
@@ -90,9 +41,11 @@ void expectSamePlaceholders(const Message& message, const QString& form) {
 
 TEST(Translation, GermanIsFinishedAndKeepsPlaceholders) {
     for (const char* file : {"noctule_de.ts", "core_de.ts"}) {
-        const std::vector<Message> messages = readTs(kTranslations + file);
+        const std::vector<Message> messages = readTs(translationPath(file));
         ASSERT_GT(messages.size(), 500U);
+        std::set<QString> keys;
         for (const Message& message : messages) {
+            EXPECT_TRUE(keys.insert(message.key()).second) << "twice: " << message.key().toStdString();
             EXPECT_TRUE(message.finished) << message.key().toStdString();
             EXPECT_EQ(message.forms.size(), message.plural ? 2 : 1) << message.key().toStdString();
             for (const QString& form : message.forms) {
@@ -113,7 +66,7 @@ TEST(Translation, NoSentenceOfCoreIsMissing) {
 }
 
 TEST(Translation, EnglishHasItsPluralForms) {
-    for (const Message& message : readTs(kTranslations + "noctule_en.ts")) {
+    for (const Message& message : readTs(translationPath("noctule_en.ts"))) {
         EXPECT_TRUE(message.plural && message.finished) << message.key().toStdString();
         for (const QString& form : message.forms)
             expectSamePlaceholders(message, form);
@@ -121,7 +74,7 @@ TEST(Translation, EnglishHasItsPluralForms) {
 }
 
 TEST(Translation, CalmWords) {
-    for (const Message& message : readTs(kTranslations + "noctule_de.ts"))
+    for (const Message& message : readTs(translationPath("noctule_de.ts")))
         for (const QString& form : message.forms) {
             EXPECT_FALSE(form.contains('!')) << form.toStdString();
             EXPECT_FALSE(form.contains("erfolgreich", Qt::CaseInsensitive)) << form.toStdString();
@@ -139,7 +92,7 @@ TEST(Translation, NoSentenceOfTheSourcesIsMissing) {
     const QTemporaryDir folder;
     for (const char* language : {"de", "en"}) {
         const QString name = QStringLiteral("noctule_%1.ts").arg(language), fresh = folder.filePath(name);
-        ASSERT_TRUE(QFile::copy(kTranslations + name, fresh));
+        ASSERT_TRUE(QFile::copy(translationPath(name), fresh));
         QProcess update;
         update.setWorkingDirectory(kSources);
         QStringList arguments{"ui",    "app",        "-I",   ".",           "-extensions",
@@ -149,7 +102,7 @@ TEST(Translation, NoSentenceOfTheSourcesIsMissing) {
         update.start(program, arguments + QStringList{"-ts", fresh});
         ASSERT_TRUE(update.waitForFinished());
         std::map<QString, bool> known;
-        for (const Message& message : readTs(kTranslations + name))
+        for (const Message& message : readTs(translationPath(name)))
             known[message.key()] = false;
         for (const Message& message : readTs(fresh)) {
             EXPECT_TRUE(known.count(message.key())) << language << ", new: " << message.key().toStdString();
