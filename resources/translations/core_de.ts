@@ -2137,7 +2137,7 @@
     </message>
     <message>
         <source>Repair this value in the program that made the motion, or delete the row</source>
-        <translation>Diesen Wert in dem Programm berichtigen, das die Bewegung gemacht hat, oder die Zeile löschen</translation>
+        <translation>Diesen Wert in dem Programm berichtigen, das die Bewegung erstellt hat, oder die Zeile löschen</translation>
     </message>
     <message>
         <source>Report this with the take</source>
@@ -3879,7 +3879,7 @@
     </message>
     <message>
         <source>Simplify the mesh in the program that made it</source>
-        <translation>Das Netz in dem Programm vereinfachen, mit dem es gemacht wurde</translation>
+        <translation>Das Netz in dem Programm vereinfachen, mit dem es erstellt wurde</translation>
     </message>
     <message>
         <source>a chunk of it ends early</source>
@@ -4633,7 +4633,7 @@
     </message>
     <message>
         <source>Choose the table that was made of this take</source>
-        <translation>Die Tabelle wählen, die aus dieser Aufnahme gemacht wurde</translation>
+        <translation>Die Tabelle wählen, die aus dieser Aufnahme entstand</translation>
     </message>
     <message>
         <source>Commands while following</source>
@@ -5073,7 +5073,7 @@
     </message>
     <message>
         <source>The calibration was made for another suit, box %1; the take is of %2. Its values are used all the same; give the calibration of this suit.</source>
-        <translation>Die Kalibrierung wurde für einen anderen Anzug gemacht, Box %1; die Aufnahme ist von %2. Ihre Werte werden trotzdem verwendet; die Kalibrierung dieses Anzugs angeben.</translation>
+        <translation>Die Kalibrierung wurde für einen anderen Anzug erstellt, Box %1; die Aufnahme ist von %2. Ihre Werte werden trotzdem verwendet; die Kalibrierung dieses Anzugs angeben.</translation>
     </message>
     <message>
         <source>The clock of suit %1 cannot be found from the sound: it and the others do not hear each other well enough. Distances to it are not used.</source>
@@ -10090,7 +10090,7 @@
     </message>
     <message>
         <source>came late: when the recording was stopped, its last %.1f s were not there yet. They are marked as a gap.</source>
-        <translation>kam zu spät: Als die Aufnahme angehalten wurde, waren die letzten %.1f s noch nicht da. Sie sind als Lücke vermerkt.</translation>
+        <translation>kam zu spät: Als die Aufnahme beendet wurde, waren die letzten %.1f s noch nicht da. Sie sind als Lücke vermerkt.</translation>
     </message>
     <message>
         <source>processing has ended by a mistake of this program (%1)</source>

@@ -2671,7 +2671,7 @@
     </message>
     <message>
         <source>None yet. The suit&apos;s own values from an earlier session are in use; the rest pose belongs to each wearing.</source>
-        <translation>Noch keine. Die Werte des Anzugs aus einer früheren Sitzung sind in Gebrauch; die Ruhehaltung gehört zu jedem Anziehen.</translation>
+        <translation>Noch keine. Die Werte des Anzugs aus einer früheren Sitzung sind in Gebrauch; die Ruhehaltung gehört zu jedem Anlegen.</translation>
     </message>
     <message>
         <source>Anchors</source>
@@ -3199,7 +3199,7 @@
     </message>
     <message>
         <source>As shown in Review</source>
-        <translation>Wie in Prüfen gezeigt</translation>
+        <translation>Wie im Schritt Prüfen</translation>
     </message>
     <message>
         <source>Result</source>
@@ -4222,7 +4222,7 @@
     </message>
     <message>
         <source>Not checked since it was put on.</source>
-        <translation>Seit dem Anziehen nicht kontrolliert.</translation>
+        <translation>Seit dem Anlegen nicht kontrolliert.</translation>
     </message>
     <message>
         <source>Recording, without calibration</source>
@@ -6629,7 +6629,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>Not checked since it was put on</source>
-        <translation>Seit dem Anziehen nicht kontrolliert</translation>
+        <translation>Seit dem Anlegen nicht kontrolliert</translation>
     </message>
     <message>
         <source>Hold still for three seconds: the check says whether boards sit in their places, slipped or were exchanged. Was the suit taken off since, calibrate the rest pose again.</source>
@@ -9542,7 +9542,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>In use in %1; undo with %2. Results that it has were made with the earlier places.</source>
-        <translation>In %1 in Gebrauch; mit %2 rückgängig. Ergebnisse, die sie hat, wurden mit den früheren Orten gemacht.</translation>
+        <translation>In %1 in Gebrauch; mit %2 rückgängig. Ergebnisse, die sie hat, entstanden mit den früheren Orten.</translation>
     </message>
     <message>
         <source>Go to Connect</source>
