@@ -10,7 +10,7 @@ namespace noctule::ui {
 namespace {
 
 /// Tables of ten columns fit pages narrower than this, in pixels, if their bars are short.
-constexpr int kNarrowPage = 600;
+constexpr int kShortBarsBelow = 600;
 /// Width in units of its own view box. Plots narrower than this may stand side by side.
 constexpr double kLeastWidthOfWholeRow = 600;
 
@@ -146,7 +146,7 @@ QSize figureSize(const ReportFigure& figure, int page_width) {
             return QSizeF(width, width * box.height() / std::max(1.0, box.width())).toSize();
         }
         case ReportFigure::Kind::kBar:
-            return Theme::get().scale() * QSize(page_width < Theme::get().px(kNarrowPage) ? 40 : 120, 8);
+            return Theme::get().scale() * QSize(page_width < Theme::get().px(kShortBarsBelow) ? 40 : 120, 8);
         case ReportFigure::Kind::kIcon:
             return Theme::get().scale() * QSize(16, 16);
         case ReportFigure::Kind::kSwatch:
