@@ -386,7 +386,7 @@ Verb calibrateRoomVerb() {
     verb.summary = "find the places of a room's anchors from a take in which somebody walks past them";
     verb.operands = "T.noctule";
     verb.min_operands = verb.max_operands = 1;
-    verb.example = "noctule --batch calibrate room walk_001.noctule --out room.json --store";
+    verb.example = "noctule --batch calibrate room room_001.noctule --out room.json --store";
     verb.options = {
         text("out", "ROOM.json",
              "the room's file with the places found, for attach, record and simulate --cast")

@@ -117,7 +117,8 @@ std::string verbHelp(const Verb& verb) {
         if (option.name == verb.alone)
             text += "       noctule --batch " + verb.name + " --" + option.name + " " + option.placeholder +
                     " [OPTIONS]\n";
-    text += "\noptions:\n" + optionList(verb.options);
+    if (!verb.options.empty())
+        text += "\noptions:\n" + optionList(verb.options);
     text += "\nafter every verb:\n" + optionList(commonOptions());
     for (const std::string& remark : verb.remarks)
         text += "\n" + wrapped(remark, 0);

@@ -311,8 +311,9 @@ Verb processVerb() {
     verb.example = "noctule --batch process hops_001.noctule --sensors AGD --root free";
     verb.options = {
         text("calibration", "C.json",
-             "the calibration, which comes into force in the take; else the one that is"),
-        text("actor", "A.json", "the performer, who comes into force in the take; else the one who is"),
+             "the calibration, in force in the take from now on; when not given, the one in force"),
+        text("actor", "A.json",
+             "the performer, in force in the take from now on; when not given, the one in force"),
         text("sensors", "AGD", "any of A accelerometers, G gyroscopes, D distances").orElse("AGD"),
         choice("root", {"free", "given"}, "given: by another system, from the take's external_root")
             .orElse("free"),

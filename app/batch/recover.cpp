@@ -172,17 +172,19 @@ Result<Outcome> runRecover(const VerbContext& context) {
 Verb recoverVerb() {
     Verb verb;
     verb.name = "recover";
-    verb.summary = "make a finished take of a recording that broke off";
+    verb.summary = "make a finished take of a recording that broke off or of a damaged take";
     verb.operands = "FILE|FOLDER...";
     verb.min_operands = 1;
     verb.max_operands = kAnyNumber;
     verb.example = "noctule --batch recover session/takes/walk_003.noctule";
     verb.remarks = {
-        "The result is NAME_recovered.noctule beside the recording, which stays as it is with its -wal. Of a "
-        "folder all recordings that broke off are recovered, also those in its takes/; one that is being "
-        "recorded is left alone. Of a damaged one, which must be named if it is finished, all rows that can "
-        "be read are saved; how much that is, is said. Lost rows are an estimate from the pages that hold "
-        "them."};
+        "The result is NAME_recovered.noctule beside the recording, which stays as it is with its -wal.",
+        "Of a folder all recordings that broke off are recovered, also those in its takes/. One that is "
+        "being "
+        "recorded is left alone, and so are finished takes: name a damaged one.",
+        "Of a damaged one all rows that can be read are saved, and it is said how much that is. Lost rows "
+        "are "
+        "an estimate from the pages that hold them."};
     verb.run = runRecover;
     return verb;
 }

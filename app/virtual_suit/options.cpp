@@ -35,7 +35,7 @@ const std::vector<batch::Option>& table() {
                  whole("announce-port", "N", 0, 65535, "UDP port of --announce, 0 for any free one")
                      .orElse(std::to_string(link::kDiscoveryPort)),
                  number("speed", "N", 0.01, 1000, "seconds of the suit in one second").orElse("1"),
-                 text("control", "HOST:PORT", "listen there for accidents, one a line"),
+                 text("control", "HOST:PORT", "listen there for commands to rig and box, one a line"),
                  whole("seed", "N", 0, 9007199254740991, "seed of everything random").orElse("1"),
                  flag("help", "this text")})
             all.push_back(option);
