@@ -6790,7 +6790,7 @@
     </message>
     <message>
         <source>International Society of Biomechanics, which names the angles of joints</source>
-        <translation>International Society of Biomechanics, die Gesellschaft für Biomechanik, nach der die Gelenkwinkel benannt sind</translation>
+        <translation>Internationale Gesellschaft für Biomechanik, nach der die Gelenkwinkel benannt sind</translation>
     </message>
     <message>
         <source>Joint</source>

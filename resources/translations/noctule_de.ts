@@ -7398,7 +7398,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>Rate</source>
-        <translation>Abtastrate</translation>
+        <translation>Rate</translation>
     </message>
     <message>
         <source>World axes</source>
@@ -7819,7 +7819,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>Back to the take</source>
-        <translation>Zurück zur Aufnahme</translation>
+        <translation>Zur Aufnahme</translation>
     </message>
     <message>
         <source>Smaller</source>

@@ -117,7 +117,7 @@ TEST_F(ReadinessTest, ASourceThatNobodyHearsForSecondsIsSilentAndAMuffledOneFain
     judge(wellAt(3));
     HealthReport health = wellAt(4);
     for (int board = 0; board < kJudgedBoards; ++board)
-        pair(health, 1, board) = {1.0, 0.8, 0.5};
+        pair(health, 1, board) = {1.0, 0.8, 0.8, 0.5};
     EXPECT_TRUE(judge(health).problems.empty()) << "for a second: the performer turned";
     health.sample = 6 * kJudgedRate_hz;
     for (int board = 0; board < kJudgedBoards; ++board)
@@ -126,7 +126,7 @@ TEST_F(ReadinessTest, ASourceThatNobodyHearsForSecondsIsSilentAndAMuffledOneFain
     EXPECT_EQ(only(readiness), (ReadinessProblem{ProblemKind::kSourceSilent, false, -1, 1, 0, false}));
     EXPECT_EQ(readiness.sources_heard, kJudgedSources - 1);
     for (int board = 0; board < kJudgedBoards; ++board)
-        pair(health, 1, board) = {0.05, 0.25, 0.5};
+        pair(health, 1, board) = {0.05, 0.25, 0.25, 0.5};
     EXPECT_EQ(only(judge(health)).kind, ProblemKind::kSourceFaint);
     facts_.without_sources = {1};
     EXPECT_TRUE(only(judge(health)).accepted);

@@ -83,7 +83,7 @@ TEST_F(CoreWords, NumbersInsideOfAValueHaveThatSignToo) {
     const std::pair<const char*, const char*> texts[] = {{"4.5 sigma", "4,5 sigma"},
                                                          {"1.0 2.0 −3.1", "1,0 2,0 −3,1"},
                                                          {"2026-11-18, 0.9 mm", "2026-11-18, 0,9\u00a0mm"},
-                                                         {"0.9 mm (4.5 sigma)", "0,9 mm (4,5 sigma)"},
+                                                         {"0.9 mm (4.5 sigma)", "0,9\u00a0mm (4,5 sigma)"},
                                                          {"0.31 ± 0.02", "0,31 ± 0,02"},
                                                          {"9.81 m/s²", "9,81 m/s²"},
                                                          {"12 of 18", "12 von 18"}};
@@ -162,8 +162,7 @@ TEST_F(CoreWords, TagsAndStylesOfADocumentStayTextsDoNot) {
         "mm</b></html>";
     EXPECT_EQ(coreMarkup(page),
               "<html lang=\"de\"><style>p{color:red}</style><p class=\"a\">Gelenk</p><b "
-              "aria-label=\"Gelenk\">&lt;1 "
-              "mm</b></html>");
+              "aria-label=\"Gelenk\">&lt;1\u00a0mm</b></html>");
     QLocale::setDefault(QLocale(QLocale::English));
     EXPECT_EQ(coreMarkup(page), page);
 }
