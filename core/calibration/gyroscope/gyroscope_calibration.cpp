@@ -234,9 +234,9 @@ private:
 
         /// How far beyond what is usable; not finite: nothing was found.
         double excess() const {
-            const double worse =
-                std::max(zero_rad_per_s / GyroLimits::kZero_rad_per_s, slope / GyroLimits::kSlope);
-            return std::isfinite(worse) ? worse : INFINITY;
+            const double zero = zero_rad_per_s / GyroLimits::kZero_rad_per_s,
+                         of_slope = slope / GyroLimits::kSlope;
+            return std::isfinite(zero + of_slope) ? std::max(zero, of_slope) : INFINITY;
         }
     };
 

@@ -113,16 +113,10 @@ SittingFit fitSitting(const std::vector<KnownRate>& stretches, double wander_cou
     const std::vector<double> together = stepsOf(stretches, wander_counts2_per_s);
     std::vector<double> apart = together;
     SittingFit fit{fitRows(stretches, together)};
-    const double evidence_of_none = logEvidenceOf(fit.rows);
-    double sum = 1, chi_square = chiSquareOf(fit.rows);
+    std::vector<double> log_weights{logEvidenceOf(fit.rows)}, chi_squares{chiSquareOf(fit.rows)};
     const auto weigh = [&](const GyroRows& rows) {
-        // Bounded: it shall stay a number.
-        const double weight =
-            kRestartProbability * std::exp(std::min(logEvidenceOf(rows) - evidence_of_none, 600.0));
-        if (!std::isfinite(weight))
-            return;
-        sum += weight;
-        chi_square += weight * chiSquareOf(rows);
+        log_weights.push_back(std::log(kRestartProbability) + logEvidenceOf(rows));
+        chi_squares.push_back(chiSquareOf(rows));
     };
     for (size_t k = 1; k < stretches.size(); ++k) {
         if (stretches[k].take == stretches[k - 1].take || together[k] >= kJump_counts2)
@@ -131,14 +125,25 @@ SittingFit fitSitting(const std::vector<KnownRate>& stretches, double wander_cou
         once[k] = apart[k] = kJump_counts2;
         weigh(fitRows(stretches, once));
     }
-    fit.chi_square = chiSquareOf(fit.rows);
-    if (apart == together)
+    fit.chi_square = chi_squares[0];
+    const size_t borders = log_weights.size() - 1;
+    if (borders == 0)
         return fit;
     const GyroRows rows_apart = fitRows(stretches, apart);
-    weigh(rows_apart);
-    fit.restart_probability = 1 - 1 / sum;
-    if (fit.restart_probability < kNoRestart)
+    if (borders > 1)  // else it is the one that was weighed already
+        weigh(rows_apart);
+    // Evidence spans thousands of e-folds: only differences from the greatest can be raised to powers.
+    const double greatest = std::ranges::max(log_weights);
+    double sum = 0, chi_square = 0;
+    for (size_t i = 0; i < log_weights.size(); ++i) {
+        const double weight = std::exp(log_weights[i] - greatest);
+        sum += weight;
+        chi_square += weight * chi_squares[i];
+    }
+    const double probability = 1 - std::exp(log_weights[0] - greatest) / sum;
+    if (!(probability >= kNoRestart))  // nor when it is no number
         return fit;
+    fit.restart_probability = probability;
     fit.chi_square = chi_square / sum;
     for (size_t axis = 0; axis < 3; ++axis)
         mix(fit.rows[axis], rows_apart[axis], fit.restart_probability);

@@ -170,5 +170,42 @@ TEST(GyroscopeFit, SigmasAreHonestWhetherOrNotABoardWasSwitchedOffBetweenTakes) 
     }
 }
 
+/// `clock_tells`: the takes behind the restart are dated years later.
+std::vector<KnownRate> restartedSitting(double jump_counts, bool clock_tells) {
+    constexpr int kRestartsIn = 3;
+    constexpr double kNoise_counts = 0.02;
+    simulation::Random random(1, "gyroscope restart");
+    std::vector<KnownRate> sitting = KnownGyroscope().stretches(kNoise_counts);
+    for (KnownRate& stretch : sitting) {
+        stretch.take = static_cast<int>(std::lround(stretch.begin_s / kStep_s)) / 2;
+        const bool is_behind = stretch.take >= kRestartsIn;
+        stretch.take_began_s = is_behind && clock_tells ? 1.9e9 : 1.8e9;
+        stretch.mean.counts +=
+            random.gaussianVector(kNoise_counts) + (is_behind ? jump_counts : 0) * Vector3d(1, -1, 1);
+    }
+    return sitting;
+}
+
+/// However far: else the wandering of all boards is sought in it.
+TEST(GyroscopeFit, AJumpThatOnlyTheZerosTellDisturbsNoMoreThanOneThatAClockTells) {
+    constexpr double kWander_counts2_per_s = 1e-5;
+    for (const double jump_counts : {1, 2, 4, 8}) {
+        const GyroscopeFit told = fitGyroscope(restartedSitting(jump_counts, true), kWander_counts2_per_s),
+                           found = fitGyroscope(restartedSitting(jump_counts, false), kWander_counts2_per_s);
+        EXPECT_LT(told.restart_probability, 0.5) << jump_counts;
+        EXPECT_GT(found.restart_probability, 0.99) << jump_counts;
+        EXPECT_LE(found.chi_square, 1.01 * told.chi_square) << jump_counts;
+    }
+}
+
+/// Where one border alone may hide a restart, its probability counts once.
+TEST(GyroscopeFit, OneBorderIsOneChanceOfARestart) {
+    constexpr double kNoise_counts = 20;  // so much that zeros tell nothing
+    std::vector<KnownRate> sitting = KnownGyroscope().stretches(kNoise_counts);
+    for (KnownRate& stretch : sitting)
+        stretch.take_began_s = 1.8e9;
+    EXPECT_NEAR(fitGyroscope(sitting, 1e-5).restart_probability, 0.01 / 1.01, 1e-3);
+}
+
 }  // namespace
 }  // namespace noctule
