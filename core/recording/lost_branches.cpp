@@ -199,9 +199,10 @@ private:
     }
 
     bool isRow(const std::vector<ColumnShape>& columns, int64_t at, int64_t bytes) const {
-        const int64_t begin = at, header_bytes = page_.varint(at), end = begin + header_bytes;
-        if (header_bytes < 2 || header_bytes > page_bytes_ || end > page_bytes_)
+        const int64_t begin = at, header_bytes = page_.varint(at);
+        if (header_bytes < 2 || header_bytes > page_bytes_ - begin)
             return false;
+        const int64_t end = begin + header_bytes;
         int64_t all_bytes = header_bytes;
         size_t column = 0;
         for (; at < end; ++column) {
@@ -324,6 +325,8 @@ std::set<std::string> mendBranches(const std::string& path, const JobContext& jo
         return {};
     std::map<std::pair<size_t, size_t>, std::vector<Branch>> places;
     for (const int64_t page : mender->lostPages(job)) {
+        if (job.cancelled())
+            return {};
         Branch branch;
         if (const auto place = placeOf(page, tables, *mender, branch))
             places[*place].push_back(branch);

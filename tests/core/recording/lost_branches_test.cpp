@@ -7,7 +7,9 @@
 #include <filesystem>
 #include <fstream>
 
+#include "core/recording/page_reader.h"
 #include "core/recording/recover_take.h"
+#include "core/recording/table_pages.h"
 #include "core/recording/take.h"
 #include "tests/support/take_files.h"
 
@@ -16,20 +18,26 @@ namespace {
 
 using test::Folder;
 
+struct TablePlace {
+    int64_t root = 0, page_bytes = 0;
+};
+
+TablePlace placeOf(const std::string& path, const std::string& table) {
+    const Result<Database> database = Database::open(path, Access::kRead);
+    const std::string root = "SELECT rootpage FROM sqlite_schema WHERE type='table' AND name='" + table + "'";
+    return {database->queryInteger(root)->value(), database->queryInteger("PRAGMA page_size")->value()};
+}
+
+void overwrite(const std::string& path, int64_t at, const std::string& bytes) {
+    std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+    file.seekp(at);
+    file << bytes;
+}
+
 /// Of the page that leads to all others of the table.
 void damageRootOf(const std::string& path, const std::string& table) {
-    int64_t root = 0, page_bytes = 0;
-    {
-        const Result<Database> database = Database::open(path, Access::kRead);
-        root = database
-                   ->queryInteger("SELECT rootpage FROM sqlite_schema WHERE type='table' AND name='" + table +
-                                  "'")
-                   ->value();
-        page_bytes = database->queryInteger("PRAGMA page_size")->value();
-    }
-    std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
-    file.seekp((root - 1) * page_bytes);
-    file << std::string(static_cast<size_t>(page_bytes), '\xff');
+    const auto [root, page_bytes] = placeOf(path, table);
+    overwrite(path, (root - 1) * page_bytes, std::string(static_cast<size_t>(page_bytes), '\xff'));
 }
 
 int64_t sumOf(const std::string& path, const std::string& expression, const std::string& table) {
@@ -80,6 +88,27 @@ TEST(LostBranches, RowsThatWereRemovedDoNotComeBack) {
     const auto done = recoverTake(torn, saved, {});
     ASSERT_TRUE(done) << done.error().text();
     EXPECT_EQ(sumOf(saved, "count(*)", "reference"), rows);
+}
+
+/// The length of one row's header is the greatest number there is.
+TEST(LostBranches, APageThatContradictsItselfIsNotLedTo) {
+    const Folder folder;
+    const std::string torn = test::tinyTake(folder), saved = folder.file("saved.noctule");
+    const auto [root, page_bytes] = placeOf(torn, "reference");
+    std::ifstream file(torn, std::ios::binary);
+    const std::vector<RowPage> pages = rowPages(file, page_bytes, root);
+    ASSERT_GT(pages.size(), 3u);
+    PageReader page(file, page_bytes);
+    ASSERT_TRUE(page.read(pages[1].page));
+    int64_t at = page.number(8, 2);  // its first row: length, number, header
+    (void)page.varint(at);
+    (void)page.varint(at);
+    overwrite(torn, (pages[1].page - 1) * page_bytes + at, "\xbf\xff\xff\xff\xff\xff\xff\xff\xff");
+    damageRootOf(torn, "reference");
+    const auto done = recoverTake(torn, saved, {});
+    ASSERT_TRUE(done) << done.error().text();
+    EXPECT_EQ(sumOf(saved, "count(*)", "reference"),
+              sumOf(test::kTinyTake, "count(*)", "reference") - *pages[1].rows);
 }
 
 TEST(LostBranches, NothingIsMendedInAWholeTake) {
