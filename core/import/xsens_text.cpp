@@ -5,6 +5,7 @@
 // of MT Manager 4 and 2022; Xsens DOT User Manual, section 4.2.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "core/formats/csv_cells.h"
@@ -21,6 +22,8 @@ namespace {
 
 constexpr double kTickOfFineTime_s = 1e-4, kTickOfDot_s = 1e-6;
 constexpr int64_t kCounterPeriod = 65536;
+/// Of a row without a counter: before all others, and differences from it are still numbers.
+constexpr int64_t kNoCount = std::numeric_limits<int64_t>::min() / 4;
 
 /// One file, its columns by name.
 struct XsensFile {
@@ -118,7 +121,7 @@ std::vector<int64_t> unwrapped(const std::vector<double>& counter) {
     int64_t last = 0;
     for (const double c : counter) {
         if (!(std::abs(c) < 1e12)) {
-            counts.push_back(std::numeric_limits<int64_t>::min());
+            counts.push_back(kNoCount);
             continue;
         }
         int64_t count = std::llround(c);
@@ -139,14 +142,18 @@ std::vector<int64_t> unwrapped(const std::vector<double>& counter) {
 /// Takes the lines up to the columns' names off `text`; these are returned. `number` counts lines.
 Result<std::string_view> readHead(std::string_view& text, const ImportFile& given, XsensFile& file,
                                   size_t& number) {
+    bool may_be_dot = false;
     while (!text.empty()) {
         const std::string_view line = cutLine(text);
         ++number;
+        may_be_dot |= line.starts_with("DeviceTag:");
         if (line.starts_with("//"))
             readHeaderLine(line, file);
         else if (line.find("PacketCounter") != std::string_view::npos)
             return line;
-        else if (file.is_dot || line.starts_with("sep=") || line.starts_with("DeviceTag:"))
+        else if (line.starts_with("sep="))  // for spreadsheets: alone it tells nothing of who wrote it
+            may_be_dot = true;
+        else if (may_be_dot && !trimmed(line).empty())
             readDotLine(line, file);
         else if (!trimmed(line).empty())
             return xsensError(given.path, "line " + std::to_string(number) +
@@ -341,7 +348,7 @@ Result<ImportedRecording> readXsensText(const std::vector<ImportFile>& given, co
         auto file = readXsensFile(one, job);
         if (!file)
             return file.error();
-        if (file->counts.front() == std::numeric_limits<int64_t>::min())
+        if (file->counts.front() == kNoCount)
             return xsensError(one.path, "its first row has no packet counter");
         if (file->cut)
             recording.warnings.push_back(one.path + ": the last line has no end and was left out");

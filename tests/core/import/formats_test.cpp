@@ -57,6 +57,21 @@ TEST(XsensText, TheCounterWrapsAndLostPacketsBecomeEmptyRows) {
     EXPECT_TRUE(mentions(read->warnings, "2 of 8 rows are lost"));
 }
 
+/// Counters of both files run together across the wrap; in each a row has none.
+TEST(XsensText, ARowWithoutACounterIsLostAndNoOtherIs) {
+    std::string early = xsensExample({65533, 65534, 65535, 0, 1}, '\t', true, "\n", "0001"),
+                late = xsensExample({0, 1, 2, 3}, '\t', true, "\n", "0002");
+    early.replace(early.find("\n65535\t"), 6, "\n");
+    late.replace(late.find("\n00002\t"), 6, "\n");
+    const auto read = readAs({{"a_0002.txt", late}, {"a_0001.txt", early}});
+    ASSERT_TRUE(read) << read.error().text();
+    for (const ImportedSensor& sensor : read->sensors) {
+        ASSERT_EQ(sensor.samples.size(), sensor.id == "0002" ? 4u : 5u);
+        EXPECT_FALSE(sensor.samples.gyro_rad_per_s[2].allFinite());
+        EXPECT_TRUE(sensor.samples.gyro_rad_per_s[3].allFinite());
+    }
+}
+
 TEST(XsensText, WithoutARateTheFinesTicksTellItElseItIsAskedFor) {
     const auto ticked = readAs({{"a_1.txt", xsensExample({1, 2, 3, 4}, '\t', false)}});
     ASSERT_TRUE(ticked) << ticked.error().text();

@@ -60,5 +60,12 @@ TEST(MovellaDot, ItsColumnsTellItToo) {
     EXPECT_NEAR(read->sensors[0].samples.gyro_rad_per_s[0].x(), radians(90), 1e-12);
 }
 
+/// MT Manager's rates are rad/s, with a spreadsheet's line before them too.
+TEST(MovellaDot, ALineForSpreadsheetsAloneMakesNoDot) {
+    const auto read = readAs({{"t/MT_1_00B42D4B.csv", "sep=,\n" + xsensExample({7, 8, 9, 10}, ',', true)}});
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_EQ(read->sensors[0].samples.gyro_rad_per_s[3], Vector3d(0.03, -0.5, 0.25));
+}
+
 }  // namespace
 }  // namespace noctule::test
