@@ -86,16 +86,26 @@ public:
     }
 
 private:
-    static bool readTime(std::string_view cell, double& value) {
+    /// Times of day begin anew at midnight.
+    bool readTime(std::string_view cell, double& value) {
+        constexpr double kDay_s = 86400;
         const auto instant = readInstant(cell);
-        value = instant.value_or(kMissing);
-        return instant.has_value();
+        if (!instant)
+            return false;
+        const bool is_of_day = *instant <= kDay_s;
+        if (is_of_day && *instant < last_of_day_s_ - kDay_s / 2)
+            midnights_s_ += kDay_s;
+        if (is_of_day)
+            last_of_day_s_ = *instant;
+        value = *instant + midnights_s_;
+        return true;
     }
 
     const ColumnRequest& request_;
     const std::string& where_;
     RowSplitter splitter_;
     NumberColumns result_;
+    double last_of_day_s_ = 0, midnights_s_ = 0;
 };
 
 }  // namespace

@@ -20,6 +20,10 @@ bool isNumberOrInstant(const std::string& cell) {
     return readCell(cell, true, value) || readInstant(cell);
 }
 
+bool isEmpty(const std::string& cell) {
+    return cell.empty();
+}
+
 bool isComment(std::string_view line) {
     return line.starts_with("#") || line.starts_with("//");
 }
@@ -62,11 +66,10 @@ void takeUnitLines(TableHead& head) {
     for (size_t i = 0; i < kLinesOfUnits; ++i) {
         std::string_view rest = head.rows;
         std::vector<std::string> cells = cellsOfRow(cutLine(rest), head.separator);
-        const auto is_empty = [](const std::string& cell) { return cell.empty(); };
         const bool are_words =
             std::ranges::none_of(
-                cells, [&](const std::string& cell) { return !is_empty(cell) && isNumberOrInstant(cell); }) &&
-            !std::ranges::all_of(cells, is_empty);
+                cells, [](const std::string& cell) { return !isEmpty(cell) && isNumberOrInstant(cell); }) &&
+            !std::ranges::all_of(cells, isEmpty);
         if (cells.size() != head.names.size() || !are_words || rest.empty())
             return;
         head.units = std::move(cells);
@@ -85,7 +88,7 @@ Result<TableHead> tableHead(std::string_view text, const std::string& path) {
         if (trimmed(line).empty() || isComment(line))
             continue;
         TableHead head = headOfLine(line, text);
-        if (head.names.size() < 2)
+        if (head.names.size() < 2 || std::ranges::all_of(head.names, isEmpty))
             continue;
         head.first_line = number + 1;
         if (!head.has_names) {

@@ -77,6 +77,25 @@ TEST(TableHead, PhyphoxTablesAreRead) {
     EXPECT_EQ(read.sensors[0].samples.gyro_rad_per_s[3], Vector3d(-0.125, 0, 0));
 }
 
+/// A recording by the clock of the wall does not end at midnight.
+TEST(TableHead, TimesOfDayGoOnBehindMidnight) {
+    std::string text = "time,Gyr_X (rad/s),Gyr_Y (rad/s),Gyr_Z (rad/s)\n";
+    for (const char* second : {"23:59:59.", "00:00:00."})
+        for (int ms = 0; ms < 1000; ms += 20)
+            text += second + std::to_string(1000 + ms).substr(1) + ",0.1,0,0\n";
+    const ImportedRecording read = readAsGuessed(text);
+    ASSERT_EQ(read.sensors.size(), 1u);
+    EXPECT_EQ(read.sensors[0].samples.size(), 100u);
+}
+
+/// Spreadsheets fill all lines up to the table's width.
+TEST(TableHead, EmptyCellsAboveTheNamesAreNoRow) {
+    const auto head = tableHead("Recorded by,Ada\n,,,\n,,,\nt,ax,ay,az\n0,1,2,3\n1,2,3,4\n", "x.csv");
+    ASSERT_TRUE(head);
+    EXPECT_EQ(head->names, (std::vector<std::string>{"t", "ax", "ay", "az"}));
+    EXPECT_EQ(head->first_line, 5u);
+}
+
 TEST(TableHead, ADamagedRowIsNoHeader) {
     const auto head = tableHead("t,ax,ay\n0,1,2\n1,2\n", "x.csv");
     ASSERT_TRUE(head);
