@@ -30,9 +30,10 @@ void dropEmptyTake(const StreamResult& result) {
         discardTakeFile(result.recording->path);
 }
 
+/// A part that does not tell what it recorded may have recorded something.
 bool isEmpty(const RecordReport& part) {
     constexpr double kLeast_s = 0.05;  // lists show it as 0.0 s
-    return !part.stream.recording ||
+    return part.stream.recording &&
            static_cast<double>(part.stream.recording->samples) < kLeast_s * part.sample_rate_hz;
 }
 

@@ -52,6 +52,10 @@ TEST_F(RecordDisk, ATakeThatEndedBeforeAnythingWasRecordedIsRemoved) {
         EXPECT_TRUE(isThere());
         EXPECT_TRUE(endOfTake(parts, true).trouble.startsWith("The disk is full"));
         parts.front().stream.recording->samples = 3000;
+        parts.emplace_back();
+        EXPECT_FALSE(endOfTake(parts, true).is_empty) << "of one of them nothing is known";
+        EXPECT_TRUE(isThere());
+        parts.pop_back();
         const TakeEnd end = endOfTake(parts, true);
         EXPECT_TRUE(end.is_empty);
         EXPECT_TRUE(end.trouble.endsWith("Nothing was recorded, and the take was removed."));
