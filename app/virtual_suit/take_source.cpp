@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cmath>
 #include <deque>
+#include <limits>
 
 #include "app/batch/option.h"
 #include "core/formats/number_text.h"
@@ -89,10 +90,15 @@ public:
     }
 
 private:
-    /// Of the suit's own time, which may be before the take or behind it.
+    /// Of the suit's own time, which may be before the take or behind it. Rounds go as they are played: by
+    /// the clock of the wall, whatever the suit's clock did.
     int64_t sampleAt(int64_t instant_ns) const {
         const double take_s = 1e-9 * static_cast<double>(instant_ns - *start_ns_);
-        return std::llround(content_.clock.suitTime_s(take_s) * content_.rate_hz);
+        const double rate_hz = content_.rate_hz;
+        const auto from = static_cast<double>(content_.loops_from);
+        const double behind_s = take_s - content_.clock.takeTime_s(from / rate_hz);
+        return std::llround(loop_ && behind_s > 0 ? from + behind_s * rate_hz
+                                                  : content_.clock.suitTime_s(take_s) * rate_hz);
     }
 
     /// The take has not begun yet.
@@ -196,27 +202,31 @@ Result<TakeContent> contentOf(Take take, int suit_id, size_t source_count) {
     return content;
 }
 
-/// Rounds from where all suits have begun to where the first one ends, as long for each of them.
+/// Rounds from where all suits have begun to where the first one ends, of as many samples for each of them.
 Status takeCommonRounds(TakeContent& content) {
     const Take& take = content.take;
     const double rate_hz = content.rate_hz;
-    double begin_s = content.clock.takeTime_s(static_cast<double>(content.loops_from) / rate_hz);
-    double end_s = content.clock.takeTime_s(static_cast<double>(content.sample_count) / rate_hz);
+    std::vector<std::pair<int64_t, SuitClock>> suits;  // samples of each
+    double begin_s = -std::numeric_limits<double>::infinity();
     for (const int suit : take.suitIds()) {
         const auto samples = take.sampleCount(suit);
         if (!samples)
             return samples.error();
-        const SuitClock clock = take.suitClock(suit);
-        begin_s = std::max(begin_s, clock.takeTime_s(0));
-        end_s = std::min(end_s, clock.takeTime_s(static_cast<double>(*samples) / rate_hz));
+        const auto& [count, clock] = suits.emplace_back(*samples, take.suitClock(suit));
+        const auto from = static_cast<double>(loopsFrom(take, count, content.rate_hz));
+        begin_s = std::max(begin_s, clock.takeTime_s(from / rate_hz));
     }
-    const auto round = static_cast<int64_t>(std::floor((end_s - begin_s) * rate_hz + 1e-3));
-    const int64_t from = std::llround(content.clock.suitTime_s(begin_s) * rate_hz);
-    if (round <= 0 || from < 0 || from + round > content.sample_count)
+    const auto beginOf = [&](const SuitClock& clock) {
+        return std::llround(clock.suitTime_s(begin_s) * rate_hz);
+    };
+    int64_t round = content.sample_count;
+    for (const auto& [count, clock] : suits)
+        round = std::min<int64_t>(round, count - beginOf(clock));
+    if (round <= 0)
         return Error{ErrorKind::kUnusable, take.path() + ": its suits were recorded one after the other",
                      "Leave out --start-at or --loop"};
-    content.loops_from = from;
-    content.sample_count = from + round;
+    content.loops_from = beginOf(content.clock);
+    content.sample_count = content.loops_from + round;
     return Done{};
 }
 

@@ -48,7 +48,8 @@ std::string numberedTake(const test::Folder& folder, int seconds, const std::str
 }
 
 /// Two suits, the second of which begins a second later and is cut `shorter_s` before the first one's end.
-std::string takeOfTwo(const test::Folder& folder, int seconds, double shorter_s) {
+/// `second_rate`: of its clock.
+std::string takeOfTwo(const test::Folder& folder, int seconds, double shorter_s, double second_rate = 1) {
     const std::string path = folder.file("two.noctule");
     Suit suit{"one", {}, {}};
     suit.boards.resize(1);
@@ -65,7 +66,7 @@ std::string takeOfTwo(const test::Folder& folder, int seconds, double shorter_s)
     EXPECT_TRUE(take->setMeta("subjects", R"([{"name":"A","suits":[1]},{"name":"B","suits":[2]}])"));
     for (const int number : {1, 2}) {
         const double begin_s = number - 1;
-        EXPECT_TRUE(take->addSuit(suit, {1e9 * begin_s, 1}));
+        EXPECT_TRUE(take->addSuit(suit, {1e9 * begin_s, number == 2 ? second_rate : 1}));
         EXPECT_TRUE(take->addActor(defaultActor(), "", number));
         const auto count =
             static_cast<int>((seconds - begin_s - (number == 2 ? shorter_s : 0)) * kLoopRate_hz);
@@ -162,6 +163,21 @@ TEST(TakeSource, ARestartFallsIntoTheMidstOfATakeThatBeganAtAnInstant) {
     auto plain = openTakeSource(numberedTake(folder, 7, "1"), "", false);
     ASSERT_TRUE(plain);
     EXPECT_FALSE(plain->source->isTimed());
+}
+
+/// The clock of the second suit was slow while it was recorded. Boxes play by the clock of the wall.
+TEST(TakeSource, RoundsDoNotDependOnClocksOfTheRecording) {
+    constexpr int64_t kStart_ns = 5'000'000'000'000, kTenth_ns = 100'000'000;
+    const test::Folder folder;
+    const std::string path = takeOfTwo(folder, 7, 0.5, 1.001);
+    for (const char* subject : {"A", "B"}) {
+        auto sound = openTakeSource(path, subject, true, kStart_ns);
+        ASSERT_TRUE(sound) << sound.error().text();
+        for (const int64_t tenths : {0, 3003}) {
+            ASSERT_TRUE(sound->source->restart(kStart_ns + (10 + tenths) * kTenth_ns));
+            EXPECT_EQ(heardOf(*sound->source, 1).front(), 10 + tenths % 55) << subject << " after " << tenths;
+        }
+    }
 }
 
 /// Whenever each box is started, both play the same time of the take, in later rounds too.
