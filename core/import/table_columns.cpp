@@ -393,6 +393,11 @@ Result<TableColumns> guessColumns(const std::string& path) {
             takeUnit(table, table.columns[i].quantity, head->units[i]);
         takeUnit(table, table.columns[i].quantity, partsOf(table.columns[i].name).unit);
     }
+    // Dates and times of day are read as seconds, however far apart they are.
+    const auto is_instant = [](const std::string& cell) { return readInstant(cell).has_value(); };
+    for (const TableColumn& column : table.columns)
+        if (column.quantity == TableQuantity::kTime && std::ranges::any_of(column.cells, is_instant))
+            table.time_unit = "s";
     return table;
 }
 

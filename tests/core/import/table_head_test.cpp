@@ -88,6 +88,13 @@ TEST(TableHead, TimesOfDayGoOnBehindMidnight) {
     EXPECT_EQ(read.sensors[0].samples.size(), 100u);
 }
 
+TEST(TableHead, InstantsAreSecondsWhateverTheHeaderSays) {
+    std::string text = "Time (ms),Gyr_X (rad/s),Gyr_Y (rad/s),Gyr_Z (rad/s)\n";
+    for (int i = 0; i < 20; ++i)
+        text += "10:00:" + std::to_string(10 + i / 2) + (i % 2 == 0 ? ".000" : ".500") + ",0.1,0,0\n";
+    EXPECT_NEAR(readAsGuessed(text).sensors.at(0).samples.rate_hz, 2, 1e-6);
+}
+
 /// Spreadsheets fill all lines up to the table's width.
 TEST(TableHead, EmptyCellsAboveTheNamesAreNoRow) {
     const auto head = tableHead("Recorded by,Ada\n,,,\n,,,\nt,ax,ay,az\n0,1,2,3\n1,2,3,4\n", "x.csv");
