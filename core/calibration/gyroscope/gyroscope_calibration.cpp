@@ -18,7 +18,7 @@ using GyroLimits = GyroscopeLimits;
 
 constexpr double kUsualWander_rad_per_s = 2e-4;  ///< per root of a second, where too little tells
 constexpr double kLeastWander_rad_per_s = 2e-5;  ///< a few boards may seem to have none
-constexpr int kFewestWanderFreedoms = 6;
+constexpr double kFewestWanderFreedoms = 6;
 
 double observedSpeed_rad_per_s(const std::vector<TableBoard>& tables) {
     double sum = 0;
@@ -58,17 +58,18 @@ void fitAll(std::vector<GyroWork>& works, double wander_rad_per_s) {
 /// How much the zeros must wander, all alike, for what is left to be no surprise; then the fits with it.
 double fitWandering(std::vector<GyroWork>& works) {
     double low = std::log(kLeastWander_rad_per_s), high = std::log(1e-2);
-    int freedoms = 0;
+    double freedoms = 0;
+    fitAll(works, kUsualWander_rad_per_s);
     for (const GyroWork& work : works)
-        freedoms += 3 * (static_cast<int>(work.rates.size()) - 4);
+        freedoms += work.fit.freedoms;
     if (freedoms < kFewestWanderFreedoms)
         low = high = std::log(kUsualWander_rad_per_s);
     while (high - low > 0.02) {
         fitAll(works, std::exp((low + high) / 2));
-        double chi_square = 0;
+        double excess = 0;
         for (const GyroWork& work : works)
-            chi_square += work.fit.chi_square;
-        (chi_square > freedoms ? low : high) = (low + high) / 2;
+            excess += work.fit.chi_square - work.fit.freedoms;
+        (excess > 0 ? low : high) = (low + high) / 2;
     }
     fitAll(works, std::exp(high));
     return std::exp(high);

@@ -21,8 +21,8 @@ constexpr double kNoRestart = 1e-5;           ///< probabilities below it are ta
 struct GyroRow {
     Eigen::VectorXd x;
     Eigen::MatrixXd covariance;
-    double chi_square = 0;
-    double log_evidence = 0;  ///< how likely the counts are with these steps; up to a constant
+    double chi_square = 0, freedoms = 0;  ///< without jumps: how far they go says nothing of the wandering
+    double log_evidence = 0;              ///< how likely the counts are with these steps; up to a constant
 };
 using GyroRows = std::array<GyroRow, 3>;
 
@@ -71,8 +71,17 @@ GyroRow fitRow(const std::vector<KnownRate>& stretches, int axis, const std::vec
     }
     row.covariance = inverseOf(rows.transpose() * rows);
     row.x = solveLeastSquares(rows, right);
-    row.chi_square = (rows * row.x - right).squaredNorm();
+    const Eigen::VectorXd left = rows * row.x - right;
+    row.chi_square = left.squaredNorm();
     row.log_evidence += (eigenvaluesOf(row.covariance).array().log().sum() - row.chi_square) / 2;
+    row.freedoms = static_cast<double>(count - 4);
+    for (Eigen::Index k = 1; k < count; ++k) {
+        if (steps_counts2[static_cast<size_t>(k)] < kJump_counts2)
+            continue;
+        const Eigen::Index jump = count + k - 1;
+        row.chi_square -= left[jump] * left[jump];
+        row.freedoms -= 1 - rows.row(jump).dot(row.covariance * rows.row(jump).transpose());
+    }
     return row;
 }
 
@@ -83,12 +92,9 @@ GyroRows fitRows(const std::vector<KnownRate>& stretches, const std::vector<doub
     return rows;
 }
 
-double chiSquareOf(const GyroRows& rows) {
-    return rows[0].chi_square + rows[1].chi_square + rows[2].chi_square;
-}
-
-double logEvidenceOf(const GyroRows& rows) {
-    return rows[0].log_evidence + rows[1].log_evidence + rows[2].log_evidence;
+/// Over all axes.
+double sumOf(double GyroRow::*value, const GyroRows& rows) {
+    return rows[0].*value + rows[1].*value + rows[2].*value;
 }
 
 /// As if both were drawn with these probabilities: what they disagree about is uncertain, too.
@@ -102,7 +108,7 @@ void mix(GyroRow& one, const GyroRow& other, double share_of_other) {
 /// All axes, and whether the board started anew within a sitting.
 struct SittingFit {
     GyroRows rows;
-    double chi_square = 0;
+    double chi_square = 0, freedoms = 0;
     double restart_probability = 0;
 };
 
@@ -113,38 +119,43 @@ SittingFit fitSitting(const std::vector<KnownRate>& stretches, double wander_cou
     const std::vector<double> together = stepsOf(stretches, wander_counts2_per_s);
     std::vector<double> apart = together;
     SittingFit fit{fitRows(stretches, together)};
-    std::vector<double> log_weights{logEvidenceOf(fit.rows)}, chi_squares{chiSquareOf(fit.rows)};
-    const auto weigh = [&](const GyroRows& rows) {
-        log_weights.push_back(std::log(kRestartProbability) + logEvidenceOf(rows));
-        chi_squares.push_back(chiSquareOf(rows));
+    std::vector<double> log_weights, chi_squares, freedoms;
+    const auto weigh = [&](const GyroRows& rows, double probability) {
+        log_weights.push_back(std::log(probability) + sumOf(&GyroRow::log_evidence, rows));
+        chi_squares.push_back(sumOf(&GyroRow::chi_square, rows));
+        freedoms.push_back(sumOf(&GyroRow::freedoms, rows));
     };
+    weigh(fit.rows, 1);
     for (size_t k = 1; k < stretches.size(); ++k) {
         if (stretches[k].take == stretches[k - 1].take || together[k] >= kJump_counts2)
             continue;
         std::vector<double> once = together;
         once[k] = apart[k] = kJump_counts2;
-        weigh(fitRows(stretches, once));
+        weigh(fitRows(stretches, once), kRestartProbability);
     }
     fit.chi_square = chi_squares[0];
+    fit.freedoms = freedoms[0];
     const size_t borders = log_weights.size() - 1;
     if (borders == 0)
         return fit;
     const GyroRows rows_apart = fitRows(stretches, apart);
     if (borders > 1)  // else it is the one that was weighed already
-        weigh(rows_apart);
+        weigh(rows_apart, kRestartProbability);
     // Evidence spans thousands of e-folds: only differences from the greatest can be raised to powers.
     const double greatest = std::ranges::max(log_weights);
-    double sum = 0, chi_square = 0;
+    double sum = 0, chi_square = 0, freedom = 0;
     for (size_t i = 0; i < log_weights.size(); ++i) {
         const double weight = std::exp(log_weights[i] - greatest);
         sum += weight;
         chi_square += weight * chi_squares[i];
+        freedom += weight * freedoms[i];
     }
     const double probability = 1 - std::exp(log_weights[0] - greatest) / sum;
     if (!(probability >= kNoRestart))  // nor when it is no number
         return fit;
     fit.restart_probability = probability;
     fit.chi_square = chi_square / sum;
+    fit.freedoms = freedom / sum;
     for (size_t axis = 0; axis < 3; ++axis)
         mix(fit.rows[axis], rows_apart[axis], fit.restart_probability);
     return fit;
@@ -179,7 +190,7 @@ GyroscopeFit fitGyroscope(const std::vector<KnownRate>& stretches, double wander
     }
     fit.chi_square = sitting.chi_square;
     fit.restart_probability = sitting.restart_probability;
-    fit.freedoms = 3 * (static_cast<int>(stretches.size()) - 4);
+    fit.freedoms = sitting.freedoms;
     fit.axes.sigma_zero_counts = sigma_zero;
     const Matrix3d M = counts_per_rate.inverse();
     fit.axes.matrix = M;

@@ -26,8 +26,8 @@ struct GyroscopeFit {
     AxisCalibration axes;  ///< rad/s; zero: its mean over the stretches, with sigma_zero_counts
     Matrix3d sigma_matrix = Matrix3d::Zero();
     std::vector<Vector3d> zeros_counts;  ///< of each stretch
-    double chi_square = 0;               ///< over all three axes, measurements and wandering
-    int freedoms = 0;                    ///< what chi_square is on average
+    double chi_square = 0;               ///< over all three axes, measurements and wandering without jumps
+    double freedoms = 0;                 ///< what chi_square is on average
     /// That the board was switched off between two takes of one sitting. Sigmas contain it.
     double restart_probability = 0;
 };

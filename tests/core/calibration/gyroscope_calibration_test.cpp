@@ -266,8 +266,12 @@ TEST(GyroscopeCalibration, BoardsThatWereSwitchedOffBetweenTurnsAreToldSo) {
     for (const BoardSide side : kBoardSides)
         takes.push_back(turnAlone(side.name()));
     std::ranges::sort(takes, {}, [](const Observations& take) { return take.boards[0].front().time_s; });
-    for (Observations& take : takes)
-        take.began_s = 1.8e9;
+    const auto calibratedOn = [&takes](std::optional<double> day_s) {
+        for (Observations& take : takes)
+            take.began_s = day_s;
+        return calibrateGyroscopes(takes, 45);
+    };
+    const GyroscopeReport undated = calibratedOn(std::nullopt), all_on = calibratedOn(1.8e9);
     for (size_t k = 3; k < takes.size(); ++k)
         for (size_t b = 0; b < 2; ++b)
             test::changeReadings(takes[k], b, {0, takes[k].duration_s, ""},
@@ -279,7 +283,10 @@ TEST(GyroscopeCalibration, BoardsThatWereSwitchedOffBetweenTurnsAreToldSo) {
     ASSERT_NE(told, report.findings.end());
     EXPECT_EQ(told->parts, (std::vector{takes[0].suit.boards[0].id, takes[0].suit.boards[1].id}))
         << "the third stayed on";
-    EXPECT_GT(report.boards[0].sigmaSlope(), 2 * report.boards[2].sigmaSlope());
+    EXPECT_NEAR(report.boards[0].sigmaSlope() / undated.boards[0].sigmaSlope(), 1, 0.02);
+    EXPECT_NEAR(report.boards[2].sigmaSlope() / all_on.boards[2].sigmaSlope(), 1, 0.02);
+    EXPECT_GT(undated.boards[0].sigmaSlope(), 1.5 * all_on.boards[0].sigmaSlope());
+    EXPECT_NEAR(report.wander_rad_per_s_per_sqrt_s / all_on.wander_rad_per_s_per_sqrt_s, 1, 0.1);
 }
 
 GyroscopeReport withoutTurns(const std::vector<std::string>& sides) {
