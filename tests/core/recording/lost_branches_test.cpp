@@ -28,7 +28,7 @@ TablePlace placeOf(const std::string& path, const std::string& table) {
     return {database->queryInteger(root)->value(), database->queryInteger("PRAGMA page_size")->value()};
 }
 
-void overwrite(const std::string& path, int64_t at, const std::string& bytes) {
+void writeAt(const std::string& path, int64_t at, const std::string& bytes) {
     std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
     file.seekp(at);
     file << bytes;
@@ -37,7 +37,7 @@ void overwrite(const std::string& path, int64_t at, const std::string& bytes) {
 /// Of the page that leads to all others of the table.
 void damageRootOf(const std::string& path, const std::string& table) {
     const auto [root, page_bytes] = placeOf(path, table);
-    overwrite(path, (root - 1) * page_bytes, std::string(static_cast<size_t>(page_bytes), '\xff'));
+    writeAt(path, (root - 1) * page_bytes, std::string(static_cast<size_t>(page_bytes), '\xff'));
 }
 
 int64_t sumOf(const std::string& path, const std::string& expression, const std::string& table) {
@@ -103,7 +103,7 @@ TEST(LostBranches, APageThatContradictsItselfIsNotLedTo) {
     int64_t at = page.number(8, 2);  // its first row: length, number, header
     (void)page.varint(at);
     (void)page.varint(at);
-    overwrite(torn, (pages[1].page - 1) * page_bytes + at, "\xbf\xff\xff\xff\xff\xff\xff\xff\xff");
+    writeAt(torn, (pages[1].page - 1) * page_bytes + at, "\xbf\xff\xff\xff\xff\xff\xff\xff\xff");
     damageRootOf(torn, "reference");
     const auto done = recoverTake(torn, saved, {});
     ASSERT_TRUE(done) << done.error().text();
