@@ -119,6 +119,10 @@ const ShelvedCalibration* CalibrationShelf::chosenFile() const {
 
 void CalibrationShelf::follow() {
     if (folder() == folder_ && fileInForce() == in_force_) {
+        if (files() != files_) {  // of another suit of the session, or of none
+            read();
+            emit changed();
+        }
         if (is_beside_)
             hand();  // it may have become this suit's own, or not be any more
         return;
@@ -147,13 +151,19 @@ void CalibrationShelf::noteWhatWasTakenBack(const QString& before) {
         taken_back_.push_back(was->calibration);
 }
 
+QStringList CalibrationShelf::files() const {
+    QStringList files = folder_.isEmpty() ? QStringList() : QDir(folder_).entryList({"*.json"}, QDir::Files);
+    const auto is_unfinished = [](const QString& file) { return file.endsWith(kUnfinished); };
+    files.erase(std::remove_if(files.begin(), files.end(), is_unfinished), files.end());
+    return files;
+}
+
 void CalibrationShelf::read() {
     all_.clear();
+    files_ = files();
     if (folder_.isEmpty())
         return;
-    for (const QString& file : QDir(folder_).entryList({"*.json"}, QDir::Files)) {
-        if (file.endsWith(kUnfinished))
-            continue;
+    for (const QString& file : files_) {
         if (auto calibration = readCalibrationFile(pathIn(folder_, file)))
             all_.push_back({file, std::move(*calibration)});
     }

@@ -80,6 +80,8 @@ private:
     void keepMeasures(const Actor& actor, const QString& what);
     void follow();
     void read();
+    /// Of calibrations in the folder, by name.
+    QStringList files() const;
     void noteWhatWasTakenBack(const QString& before);
     void hand();
     void remember(const Calibration& calibration);
@@ -96,6 +98,7 @@ private:
     std::vector<ShelvedCalibration> all_;
     std::vector<Calibration> taken_back_;  ///< in this session
     QString folder_, in_force_;
+    QStringList files_;              ///< that were read
     std::optional<QString> handed_;  ///< to the suit that is connected
     const SuitMemory memory_;
     std::optional<Calibration> remembered_, newer_;

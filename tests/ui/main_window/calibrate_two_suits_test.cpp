@@ -152,19 +152,19 @@ TEST_F(CalibrateTwoSuits, AFileThatNamesNoSuitIsOfferedWithThatWord) {
     file.write(QByteArray::fromStdString(toJson(old).dump()));
     file.close();
     page().importFile(path);
-    const auto says = [&] {
+    const auto says = [&] {  // what was added is laid out first
         const auto labels = page().leftDock()->findChildren<QLabel*>();
         return std::ranges::any_of(labels, [](const QLabel* label) {
             return label->isVisibleTo(label->window()) && label->text() == "made for an unknown suit";
         });
     };
     EXPECT_EQ(page().useButtons().size(), 1u);
-    EXPECT_TRUE(says());
+    EXPECT_TRUE(waitFor(says));
     CalibrationResult found;
     found.calibration = old;
     ASSERT_EQ(studio_->calibrations().save(found, "gyroscopes"), "");
     ASSERT_EQ(page().useButtons().size(), 2u) << "offered all the same";
-    EXPECT_TRUE(says());
+    EXPECT_TRUE(waitFor(says));
     performer(0).click();
     EXPECT_EQ(page().useButtons().size(), 1u) << "the one that names Bob's box is not";
 }

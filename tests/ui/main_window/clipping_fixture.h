@@ -47,7 +47,7 @@ protected:
 
     /// A busy machine may take a while to lay out; what stays cut is a fault.
     static void expectWhole(const QWidget& widget, const QString& where) {
-        if (QTest::qWaitFor([&] { return Clipping::in(widget).isEmpty(); }, 1500))
+        if (QTest::qWaitFor([&] { return Clipping::in(widget).isEmpty(); }, 30'000))
             return;
         for (const QString& cut : Clipping::in(widget))
             ADD_FAILURE() << where.toStdString() << ": " << cut.toStdString();
