@@ -63,7 +63,7 @@ protected:
         ASSERT_TRUE(studio_->session().create(QDir(home()).filePath("Stage tests"), "Stage tests"));
         studio_->session().importTakes({take});
         ASSERT_TRUE(waitFor([this] { return studio_->take().isOpen() && studio_->take().shownRun() >= 0; }));
-        studio_->time().setTime(studio_->time().duration() * 0.4);
+        studio_->time().setTime(studio_->time().duration() * 0.7);
     }
     void picturesOfAllSteps(const QString& look) {
         const std::pair<Step, const char*> steps[] = {
