@@ -25,6 +25,8 @@ constexpr Part kParts[] = {{"summary", "Summary", summarySection},
                            {"observability", "What was observable", observabilitySection},
                            {"provenance", "Settings", provenanceSection}};
 
+constexpr const char* kWords = "Words of this report";
+
 /// To all parts but the summary, which stands below it.
 std::string navigation() {
     std::string out = "<nav aria-label=\"Parts of this report\">";
@@ -38,8 +40,11 @@ std::string navigation() {
 std::string htmlReport(const ReportData& data) {
     const ReportTake& take = data.take;
     std::string body = navigation();
-    for (const Part& part : kParts)
+    for (const Part& part : kParts) {
         body += part.section(data);
+        if (part.section == summarySection)  // before any of them is needed
+            body += "<section>" + html::folded(kWords, definitionsOfWords()) + "</section>\n";
+    }
     std::string about = text::clock(take.duration_s);
     if (!take.performer.empty())
         about += ", " + take.performer;
@@ -54,6 +59,8 @@ std::vector<ReportPart> reportParts(const ReportData& data) {
     std::vector<ReportPart> parts;
     for (const Part& part : kParts)
         parts.push_back({part.id, part.title, part.section(data)});
+    parts.push_back({"words", kWords,
+                     html::section("words", kWords, "What the technical words mean.", definitionsOfWords())});
     return parts;
 }
 

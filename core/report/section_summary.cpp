@@ -92,7 +92,7 @@ std::string summarySection(const ReportData& data) {
     const ReportRun* run = data.shownRun();
     std::string out = "<section id=\"summary\" aria-labelledby=\"verdict\">" +
                       html::verdict(verdict.grade, verdict.headline, explanation(data, run)) +
-                      cards(data, run) + html::problems(verdict.reasons) + wordsOfReport();
+                      cards(data, run) + html::problems(verdict.reasons);
     return out + "</section>\n";
 }
 

@@ -31,8 +31,8 @@ std::string sensorsLabel(const std::string& sensors);
 std::string sensorsInWords(const std::string& sensors);
 /// As the studio's choice of filters names them.
 std::string estimatorInWords(const std::string& estimator);
-/// What the technical words mean, folded.
-std::string wordsOfReport();
+/// What the technical words mean.
+std::string definitionsOfWords();
 /// First to last second of the take, for all plots of one report.
 Interval takeInterval(const ReportData& data);
 

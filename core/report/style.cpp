@@ -46,6 +46,7 @@ h1{font-size:26px;font-weight:500;line-height:1.25;margin:0}
 h2{font-size:20px;font-weight:500;margin:0 0 4px}
 h3{font-size:15px;font-weight:500;margin:24px 0 4px}
 details{border-top:1px solid var(--line);margin:16px 0 0}summary{cursor:pointer;padding:8px 0 0;font-size:15px;font-weight:500;color:var(--acc)}summary:focus-visible{outline:2px solid var(--acc);outline-offset:2px}
+section>details:only-child{border:0;margin:0}section>details:only-child>summary{padding:0}
 section{background:var(--panel);border:1px solid var(--line);border-radius:8px;padding:24px;margin:16px 0}
 .lead,.note{color:var(--t2);max-width:640px;margin:0 0 16px}
 .note{font-size:12px;color:var(--t3);margin:8px 0 0}

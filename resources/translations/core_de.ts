@@ -7449,6 +7449,10 @@
         <translation>Ohne Entfernungen folgt ein Gelenk seinem Gyroskop, das um 1 bis 3° je Minute driftet.</translation>
     </message>
     <message>
+        <source>What the technical words mean.</source>
+        <translation>Was die Fachwörter bedeuten.</translation>
+    </message>
+    <message>
         <source>Words of this report</source>
         <translation>Wörter dieses Berichts</translation>
     </message>
