@@ -3156,6 +3156,14 @@
         <translation>%1, getragen von %2 %3</translation>
     </message>
     <message>
+        <source>Answers at another address now</source>
+        <translation>Antwortet jetzt unter einer anderen Adresse</translation>
+    </message>
+    <message>
+        <source>Connect again</source>
+        <translation>Wieder verbinden</translation>
+    </message>
+    <message>
         <source>Add this suit</source>
         <translation>Anzug hinzunehmen</translation>
     </message>

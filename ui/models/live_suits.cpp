@@ -100,6 +100,13 @@ SuitInUse* LiveSuits::at(const QString& address) const {
     return nullptr;
 }
 
+SuitInUse* LiveSuits::lost(const QString& serial) const {
+    for (SuitInUse* worn : connected())
+        if (!serial.isEmpty() && worn->suit.serial() == serial && worn->suit.isLost())
+            return worn;
+    return nullptr;
+}
+
 void LiveSuits::add(const QString& address, const KnownWearing& known) {
     if (SuitInUse* there = at(address))
         return setCurrent(*there);

@@ -69,6 +69,8 @@ public:
     bool isFull() const { return connected().size() >= kMost; }
     /// Null: no suit is connected there.
     SuitInUse* at(const QString& address) const;
+    /// The suit of the box with this serial number, where its link is broken; else null.
+    SuitInUse* lost(const QString& serial) const;
     /// One more beside those that are connected; it is looked at then, unless the guard objects.
     void add(const QString& address, const KnownWearing& known = {});
     /// Who wears it: "Ada"; without a session "Performer 2"; "Room" of anchors that nobody wears.

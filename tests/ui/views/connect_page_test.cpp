@@ -241,6 +241,29 @@ TEST_F(ConnectPageTest, ABoxThatIsFoundHasTheFilledButton) {
     EXPECT_TRUE(waitFor([&] { return verdict() == "Connected"; }));
 }
 
+TEST_F(ConnectPageTest, ABoxThatAnswersAtAnotherAddressIsTheSameSuit) {
+    auto before = std::make_unique<TestBox>(TestBox::Options{.loops = true});
+    ASSERT_TRUE(connectTo(*before));
+    const auto port = [](const TestBox& box) {
+        return static_cast<uint16_t>(std::stoi(box.address().substr(box.address().rfind(':') + 1)));
+    };
+    const TestBox now({.loops = true});
+    before.reset();
+    ASSERT_TRUE(waitFor([&] { return studio_->suit().isLost(); }));
+    auto announced = noctule::test::testAnnouncement();
+    announced.tcp_port = port(now);
+    noctule::test::Answerer answerer(announced);
+    studio_->finder().start({answerer.port(), false});
+    DevicesPanel& devices = page_->devices();
+    ASSERT_TRUE(waitFor([&] { return devices.cards().size() == 1; }));
+    EXPECT_EQ(devices.cards()[0]->words().state, "link broken");
+    EXPECT_EQ(devices.cards()[0]->words().action, "Connect again");
+    QTest::mouseClick(devices.cards()[0]->button(), Qt::LeftButton);
+    ASSERT_TRUE(waitFor([&] { return devices.cards()[0]->words().state == "connected"; }));
+    EXPECT_EQ(studio_->suits().connected().size(), 1u) << "nobody wears the same box twice";
+    EXPECT_EQ(studio_->suit().address(), QString::fromStdString(now.address()));
+}
+
 TEST_F(ConnectPageTest, DeleteGoesOnWithoutTheChosenBoard) {
     connectVirtualSuit();
     tell("unplug 1");

@@ -182,6 +182,11 @@ DeviceWords DevicesPanel::wordsFor(const KnownSuit& suit) const {
         words.state = tr("busy");
         words.tone = Tone::kWarn;
         words.detail = tr("Another studio uses it");
+    } else if (const SuitInUse* lost = capture_.suits().lost(words.serial)) {
+        words.chosen = lost == &capture_.suits().current();
+        tellLink(lost->suit, words);
+        words.detail = tr("Answers at another address now");
+        words.action = tr("Connect again");
     } else {
         words.action = capture_.suits().connected().empty() ? tr("Connect") : tr("Add this suit");
     }
@@ -195,10 +200,12 @@ void DevicesPanel::act(const KnownSuit& suit) {
         worn->suit.connectTo(address);
     else if (worn)
         worn->suit.disconnectSuit();
-    else if (suit.device.contact == FoundDevice::Contact::kAnswers)
-        capture_.suits().add(address);
-    else
+    else if (suit.device.contact != FoundDevice::Contact::kAnswers)
         capture_.finder().probe(address);
+    else if (SuitInUse* lost = capture_.suits().lost(qt(suit.device.serial)))
+        lost->suit.connectTo(address);
+    else
+        capture_.suits().add(address);
 }
 
 void DevicesPanel::showVirtualSuit() {
