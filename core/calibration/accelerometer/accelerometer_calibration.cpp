@@ -208,7 +208,7 @@ private:
             say(Grade::kUsable,
                 "its zero is known to " +
                     text::number(1000 * result_.sigmaZero_m_per_s2() / kStandardGravity_m_per_s2, 1) +
-                    " mg and its slope to " + text::number(100 * result_.sigmaSlope(), 2) + " %",
+                    " mg and its slope to " + text::number(100 * result_.sigmaSlope(), 3) + " %",
                 "For a better result leave each side still for longer");
     }
 

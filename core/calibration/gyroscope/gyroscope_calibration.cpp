@@ -253,7 +253,7 @@ private:
         Finding finding{grade, worst.record->id,
                         text::capitalised(worst.record->words) + ": its zero is known to " +
                             text::number(degrees(worst.zero_rad_per_s), 3) + " °/s and its slope to " +
-                            text::number(100 * worst.slope, 2) + " %",
+                            text::number(100 * worst.slope, 3) + " %",
                         "Turn the six sides one soon after the other, each evenly for nine seconds or more"};
         if (restarted)
             finding.remedy =
@@ -264,7 +264,7 @@ private:
             finding.what = "The zeros and slopes of " + std::to_string(boards.size()) +
                            " boards are uncertain; worst is " + worst.record->words +
                            ", whose zero is known to " + text::number(degrees(worst.zero_rad_per_s), 3) +
-                           " °/s and slope to " + text::number(100 * worst.slope, 2) + " %";
+                           " °/s and slope to " + text::number(100 * worst.slope, 3) + " %";
             for (const UncertainBoard* board : boards)
                 finding.parts.push_back(board->record->id);
         }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/body/text.h"
 #include "core/simulation/inertial_sensor.h"
 #include "tests/core/calibration/inertial_bench.h"
 #include "tests/support/fuzzing.h"
@@ -255,6 +256,9 @@ TEST(GyroscopeCalibration, TurnsThatAreTakesOfTheirOwnAreSurerWhenTheyWereTakenI
     EXPECT_TRUE(finding.what.starts_with("The zeros and slopes of 3 boards are uncertain; worst is board " +
                                          std::to_string(worst + 1) + ", "))
         << finding.what;
+    const double slope = apart.boards[static_cast<size_t>(worst)].sigmaSlope();
+    EXPECT_TRUE(finding.what.ends_with(" and slope to " + text::number(100 * slope, 3) + " %"))
+        << "as finely as the limit beside it: " << finding.what;
     EXPECT_EQ(finding.grade, Grade::kUsable);
     for (const Board& board : takes[0].suit.boards)
         EXPECT_TRUE(finding.concerns(board.id));
