@@ -2569,6 +2569,20 @@
         <translation>Noch ist keine gespeichert.</translation>
     </message>
     <message>
+        <source>made for another suit, %1</source>
+        <comment>its serial number</comment>
+        <translation>für einen anderen Anzug erstellt, %1</translation>
+    </message>
+    <message>
+        <source>Calibrated for another suit</source>
+        <translation>Für einen anderen Anzug kalibriert</translation>
+    </message>
+    <message>
+        <source>The calibration in use was made for %1: with it the poses of %2 are wrong. Calibrate %2, or import its calibration.</source>
+        <comment>two serial numbers</comment>
+        <translation>Die verwendete Kalibrierung gehört zu %1: Mit ihr sind die Posen von %2 falsch. %2 kalibrieren oder seine Kalibrierung importieren.</translation>
+    </message>
+    <message>
         <source>made for an unknown suit</source>
         <translation>für einen unbekannten Anzug erstellt</translation>
     </message>
@@ -4728,6 +4742,11 @@
 </context>
 <context>
     <name>noctule::ui::LiveSuit</name>
+    <message>
+        <source>Another box answers at %1 now: %2 instead of %3.</source>
+        <comment>address, two serial numbers</comment>
+        <translation>Unter %1 antwortet jetzt eine andere Box: %2 statt %3.</translation>
+    </message>
     <message>
         <source>Nothing was recorded, and the take was removed.</source>
         <translation>Es wurde nichts aufgenommen, die Aufnahme ist entfernt.</translation>

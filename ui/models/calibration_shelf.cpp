@@ -196,9 +196,12 @@ bool CalibrationShelf::isOfAnotherSuit(const ShelvedCalibration& shelved) const 
 
 QString CalibrationShelf::otherSuitOf(const QString& path) const {
     const auto calibration = readCalibrationFile(path.toStdString());
-    if (!calibration || ownerOf(*calibration) != CalibrationOwner::kAnotherSuit)
-        return {};
-    return nameOfOwner(*calibration, suit_.serial());
+    return calibration ? otherSuitOf(*calibration) : QString();
+}
+
+QString CalibrationShelf::otherSuitOf(const Calibration& calibration) const {
+    return ownerOf(calibration) == CalibrationOwner::kAnotherSuit ? nameOfOwner(calibration, suit_.serial())
+                                                                  : QString();
 }
 
 /// A suit that brought its own calibration keeps it until the session has one; one that brought none gets

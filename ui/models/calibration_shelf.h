@@ -49,6 +49,7 @@ public:
     /// The same of a file that is to be imported: its box, else one of its parts. Empty: it may be
     /// this suit's.
     QString otherSuitOf(const QString& path) const;
+    QString otherSuitOf(const Calibration& calibration) const;
 
     /// Writes "accelerometers-2026-11-22.json" and its report beside it and uses it. In words why not, else
     /// empty.

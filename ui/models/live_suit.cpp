@@ -125,6 +125,7 @@ void LiveSuit::release() {
     known_ = {};
     own_.reset();
     address_.clear();
+    box_.clear();
     performer_.clear();
     setPhase(Phase::kNone);
     emit frameChanged();
@@ -186,7 +187,12 @@ void LiveSuit::followLink() {
     } else if (status->link == LinkState::kRefused) {
         frame_.reset();
         setPhase(Phase::kRefused);
+    } else if ((phase_ == Phase::kReady || phase_ == Phase::kLooking) && serial() != box_) {
+        emit warned(tr("Another box answers at %1 now: %2 instead of %3.", "address, two serial numbers")
+                        .arg(address_, serial(), box_));
+        connectTo(QString(address_));  // what is known is known of the one that was here
     } else if (phase_ == Phase::kConnecting && status->link == LinkState::kReady) {
+        box_ = serial();
         wear();
         setPhase(Phase::kReady);
         begin(std::nullopt);

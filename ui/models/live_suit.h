@@ -192,6 +192,7 @@ private:
     std::shared_ptr<LiveSession> live_;
     int connection_ = 0;  ///< what jobs of an earlier one bring is void
     QString address_, next_address_;
+    QString box_;  ///< serial number of the one that was connected there
     Phase phase_ = Phase::kNone;
     bool working_ = false;  ///< a job has the session
     bool is_lent_ = false;

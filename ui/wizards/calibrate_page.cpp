@@ -234,7 +234,8 @@ void CalibratePage::refresh() {
     const Suit& suit = studio_.suit().suit();
     const QDateTime now = QDateTime::currentDateTime();
     const bool is_exact = studio_.suit().isKnownExactly();
-    next_ = is_exact ? std::nullopt : nextTask(in_force, suit, now);
+    const QString other = in_force ? studio_.calibrations().otherSuitOf(*in_force) : QString();
+    next_ = is_exact ? std::nullopt : nextTask(other.isEmpty() ? in_force : std::nullopt, suit, now);
     const bool has_field = std::ranges::any_of(suit.boards, &Board::has_magnetometer);
     cards_.at(WizardTask::kMagnetometers)->setVisible(has_field);
     room_card_->setVisible(RoomRun::hasRoom(studio_));
@@ -276,6 +277,12 @@ void CalibratePage::refresh() {
             Tone::kOk, tr("Known exactly"),
             tr("The virtual suit says by itself how it measures and how it sits on the body. "
                "Calibrating it is for practice only."));
+    else if (!other.isEmpty())
+        verdict_->setVerdict(Tone::kWarn, tr("Calibrated for another suit"),
+                             tr("The calibration in use was made for %1: with it the poses of %2 are wrong. "
+                                "Calibrate %2, or import its calibration.",
+                                "two serial numbers")
+                                 .arg(other, studio_.suit().serial()));
     else if (next_)
         verdict_->setVerdict(Tone::kWarn, tr("Next: %1").arg(wordsOf(*next_).title),
                              tr("The other values stay in use; their cards say how good they are."));

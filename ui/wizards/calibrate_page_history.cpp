@@ -140,6 +140,10 @@ void CalibratePage::showHistory() {
         column->addWidget(new Label(in_force ? tr("%1, in use").arg(dateText(one.made().toLocalTime()))
                                              : dateText(one.made().toLocalTime()),
                                     TextRole::kSecondary, Ink::kHint));
+        if (const QString other = shelf.otherSuitOf(one.calibration); !other.isEmpty())
+            column->addWidget((new Label(tr("made for another suit, %1", "its serial number").arg(other),
+                                         TextRole::kSecondary, Ink::kWarn))
+                                  ->wrapped());
         if (!namesItsSuit(one.calibration))
             column->addWidget(
                 (new Label(tr("made for an unknown suit"), TextRole::kSecondary, Ink::kHint))->wrapped());

@@ -76,7 +76,8 @@ public:
     explicit TestBox(const Options& options)
         : options_(options),
           other_sound_(options.take == kTinyTake ? TakeSound() : TakeSound::of(options.take)),
-          sound_(options.take == kTinyTake ? TakeSound::tiny() : other_sound_) {
+          sound_(options.take == kTinyTake ? TakeSound::tiny() : other_sound_),
+          serial_(options.serial) {
         if (options.pty)
             stream_ = std::make_unique<PtyBoxStream>();
         else
@@ -94,6 +95,12 @@ public:
     void cut() { cut_wanted_ = true; }
     /// Power off and on: it forgets that it was streaming.
     void restart() { restart_wanted_ = true; }
+    /// Another box comes to its address.
+    void becomes(const std::string& serial) {
+        const std::lock_guard lock(mutex_);
+        serial_ = serial;
+        restart_wanted_ = true;
+    }
     /// As if it stood still, its wire open.
     void freeze(bool frozen) { frozen_ = frozen; }
     /// A block each second only: its link stalls again and again and is never lost.
@@ -111,8 +118,9 @@ private:
         options.buffer_s = 10;
         options.drops_silent_clients = !options_.pty;
         link::Hello hello = sound_.hello;
-        if (!options_.serial.empty())
-            hello.serial = options_.serial;
+        const std::lock_guard lock(mutex_);
+        if (!serial_.empty())
+            hello.serial = serial_;
         if (options_.drive_hz > 0)
             hello.drive_hz = options_.drive_hz;
         for (Board& board : hello.suit.boards)
@@ -206,6 +214,7 @@ private:
     const Options options_;
     const TakeSound other_sound_;
     const TakeSound& sound_;
+    std::string serial_;
     std::unique_ptr<BoxStream> stream_;
     std::string address_;
     std::unique_ptr<link::BoxConversation> box_;

@@ -141,6 +141,12 @@ TEST_F(CalibrateTwoSuits, AFileOfTheOtherSuitIsTakenOnlyWhenTheOperatorSaysSo) {
     EXPECT_EQ(studio_->calibrations().fileInForce(), "");
     EXPECT_FALSE(importAndPress("Use it all the same").isEmpty());
     EXPECT_TRUE(studio_->calibrations().fileInForce().contains("-bob"));
+    QStringList said;
+    for (QWidget* dock : {page().leftDock(), page().rightDock()})
+        for (const QLabel* label : dock->findChildren<QLabel*>())
+            said << label->text();
+    EXPECT_TRUE(said.contains("made for another suit, NB-000002")) << said.join('\n').toStdString();
+    EXPECT_TRUE(said.contains("Calibrated for another suit"));
 }
 
 TEST_F(CalibrateTwoSuits, AFileThatNamesNoSuitIsOfferedWithThatWord) {

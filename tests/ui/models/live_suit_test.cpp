@@ -209,6 +209,29 @@ TEST_F(LiveSuitTest, ABoxThatRestartsEndsTheTakeIntactAndSaysSo) {
     EXPECT_TRUE(reach(Phase::kLooking));
 }
 
+TEST_F(LiveSuitTest, AnotherBoxAtTheSameAddressIsAnotherSuit) {
+    TestBox box({.loops = true});
+    ASSERT_TRUE(connectTo(box));
+    ASSERT_TRUE(suit_->calibration());
+    QStringList told;
+    QObject::connect(suit_.get(), &LiveSuit::warned, [&](const QString& what) {
+        if (what.startsWith("Another box answers"))
+            told << what;
+    });
+    box.restart();
+    ASSERT_TRUE(waitFor([&] { return suit_->status()->reconnections == 1; }));
+    ASSERT_TRUE(reach(Phase::kLooking));
+    EXPECT_TRUE(suit_->calibration()) << "it was switched off and on";
+    EXPECT_TRUE(told.isEmpty());
+    box.becomes("NB-000778");
+    ASSERT_TRUE(waitFor([&] { return !told.isEmpty(); }));
+    ASSERT_TRUE(reach(Phase::kLooking));
+    EXPECT_EQ(suit_->serial(), "NB-000778");
+    EXPECT_FALSE(suit_->calibration()) << "that of the other suit";
+    EXPECT_TRUE(told[0].contains("NB-000778 instead of NB-000777"));
+    EXPECT_EQ(told.size(), 1);
+}
+
 TEST_F(LiveSuitTest, WhoeverDoesNotAnswerIsRefusedInWords) {
     TestBox box({.answers = false});
     suit_->connectTo(QString::fromStdString(box.address()));

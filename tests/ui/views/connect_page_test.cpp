@@ -241,17 +241,30 @@ TEST_F(ConnectPageTest, ABoxThatIsFoundHasTheFilledButton) {
     EXPECT_TRUE(waitFor([&] { return verdict() == "Connected"; }));
 }
 
+uint16_t portOf(const TestBox& box) {
+    return static_cast<uint16_t>(std::stoi(box.address().substr(box.address().rfind(':') + 1)));
+}
+
+TEST_F(ConnectPageTest, ABoxWhoseAddressAnotherOneHasIsNotConnected) {
+    const TestBox box({.loops = true});
+    ASSERT_TRUE(connectTo(box));
+    auto gone = noctule::test::testAnnouncement("NB-000999");
+    gone.tcp_port = portOf(box);
+    noctule::test::Answerer answerer(gone);
+    studio_->finder().start({answerer.port(), false});
+    DevicesPanel& devices = page_->devices();
+    ASSERT_TRUE(waitFor([&] { return devices.cards().size() == 1; }));
+    EXPECT_EQ(devices.cards()[0]->words().state, "");
+}
+
 TEST_F(ConnectPageTest, ABoxThatAnswersAtAnotherAddressIsTheSameSuit) {
     auto before = std::make_unique<TestBox>(TestBox::Options{.loops = true});
     ASSERT_TRUE(connectTo(*before));
-    const auto port = [](const TestBox& box) {
-        return static_cast<uint16_t>(std::stoi(box.address().substr(box.address().rfind(':') + 1)));
-    };
     const TestBox now({.loops = true});
     before.reset();
     ASSERT_TRUE(waitFor([&] { return studio_->suit().isLost(); }));
     auto announced = noctule::test::testAnnouncement();
-    announced.tcp_port = port(now);
+    announced.tcp_port = portOf(now);
     noctule::test::Answerer answerer(announced);
     studio_->finder().start({answerer.port(), false});
     DevicesPanel& devices = page_->devices();

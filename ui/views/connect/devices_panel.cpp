@@ -101,8 +101,11 @@ QString DevicesPanel::addressProblem() const {
     return problem_->isHidden() ? QString() : problem_->text();
 }
 
+/// Null for a box that is gone and to whose address another one has come.
 SuitInUse* DevicesPanel::wornOf(const KnownSuit& suit) const {
-    return capture_.suits().at(qt(suit.device.address));
+    SuitInUse* worn = capture_.suits().at(qt(suit.device.address));
+    const QString wanted = qt(suit.device.serial), there = worn ? worn->suit.serial() : QString();
+    return !wanted.isEmpty() && !there.isEmpty() && wanted != there ? nullptr : worn;
 }
 
 /// Of several suits: whose it is.
