@@ -2574,6 +2574,10 @@
         <translation>für einen anderen Anzug erstellt, %1</translation>
     </message>
     <message>
+        <source>Until the anchors' sources are calibrated, their places are found to decimetres only. Begin with the source offsets, or import the calibration of this box.</source>
+        <translation>Solange die Quellen der Anker nicht kalibriert sind, werden ihre Plätze nur auf Dezimeter gefunden. Mit dem Quellenversatz beginnen oder die Kalibrierung dieser Box importieren.</translation>
+    </message>
+    <message>
         <source>Calibrated for another suit</source>
         <translation>Für einen anderen Anzug kalibriert</translation>
     </message>

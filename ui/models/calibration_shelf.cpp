@@ -117,6 +117,11 @@ const ShelvedCalibration* CalibrationShelf::chosenFile() const {
     return &*found;
 }
 
+bool CalibrationShelf::isInForce(const ShelvedCalibration& shelved) const {
+    const ShelvedCalibration* chosen = chosenFile();
+    return chosen && chosen->file == shelved.file;
+}
+
 void CalibrationShelf::follow() {
     if (folder() == folder_ && fileInForce() == in_force_) {
         if (files() != files_) {  // of another suit of the session, or of none
@@ -185,7 +190,7 @@ QStringList CalibrationShelf::strangers(const Calibration& calibration) const {
 }
 
 bool CalibrationShelf::isOfAnotherSuit(const ShelvedCalibration& shelved) const {
-    if (shelved.file == fileInForce())
+    if (isInForce(shelved))
         return false;
     const std::string own = suit_.serial().toStdString();
     for (const auto& [serial, file] : session_.session().suit_calibrations)

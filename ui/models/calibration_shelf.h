@@ -38,6 +38,8 @@ public:
     /// What takes are made with now: of the session, else what is known of the suit itself.
     std::optional<Calibration> inForce() const;
     QString fileInForce() const;
+    /// It is the one that this suit's takes are made with.
+    bool isInForce(const ShelvedCalibration& shelved) const;
     /// The connected suit uses what an earlier session found of its parts; absent: it does not.
     const std::optional<Calibration>& remembered() const { return remembered_; }
     /// The calibration in force with values of parts that another session found later; absent: none is newer.

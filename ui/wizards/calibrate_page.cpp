@@ -237,7 +237,11 @@ void CalibratePage::refresh() {
     const QString other = in_force ? studio_.calibrations().otherSuitOf(*in_force) : QString();
     next_ = is_exact ? std::nullopt : nextTask(other.isEmpty() ? in_force : std::nullopt, suit, now);
     const bool has_field = std::ranges::any_of(suit.boards, &Board::has_magnetometer);
-    cards_.at(WizardTask::kMagnetometers)->setVisible(has_field);
+    // Of anchors the places and the sources count; nobody wears them.
+    for (const auto& [task, card] : cards_)
+        card->setVisible(task == WizardTask::kMagnetometers
+                             ? has_field && !suit.isFixed()
+                             : task == WizardTask::kSources || !suit.isFixed());
     room_card_->setVisible(RoomRun::hasRoom(studio_));
     room_card_->setState(Tone::kNeutral,
                          room_->run().phase() != RoomRun::Phase::kNoTake
@@ -267,7 +271,12 @@ void CalibratePage::refresh() {
         }
         card->setButton(task == WizardTask::kCheck ? tr("Check") : tr("Prepare"), next_ == task);
     }
-    if (!in_force)
+    if (!in_force && suit.isFixed())
+        verdict_->setVerdict(
+            Tone::kWarn, tr("Not calibrated"),
+            tr("Until the anchors' sources are calibrated, their places are found to decimetres only. Begin "
+               "with the source offsets, or import the calibration of this box."));
+    else if (!in_force)
         verdict_->setVerdict(
             Tone::kWarn, tr("Not calibrated"),
             tr("Nothing moves live and nothing can be processed before the suit is calibrated. "

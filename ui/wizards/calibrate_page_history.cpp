@@ -133,7 +133,7 @@ void CalibratePage::showHistory() {
         if (shelf.isOfAnotherSuit(one))
             continue;
         auto* card = new Card;
-        const bool in_force = one.file == shelf.fileInForce();
+        const bool in_force = shelf.isInForce(one);
         card->setSelected(in_force);
         auto* column = makeColumn(card, {12, 8, 12, 8}, 2);
         column->addWidget(new Label(one.file.section('.', 0, 0), TextRole::kBody, Ink::kValue));

@@ -133,6 +133,8 @@ std::optional<WizardTask> nextTask(const std::optional<Calibration>& calibration
                                    const QDateTime& now) {
     for (const WizardTask task : {WizardTask::kSources, WizardTask::kAccelerometers, WizardTask::kGyroscopes,
                                   WizardTask::kRestPose}) {
+        if (suit.isFixed() && task != WizardTask::kSources)
+            break;  // anchors: nobody wears their boards
         const TaskState state = stateOf(task, calibration, suit, now);
         if (!state.isComplete() || state.is_old || state.worst == "not usable")
             return task;

@@ -123,7 +123,8 @@ QWidget* RoomPage::makeCentre() {
     column->addWidget(makeWalk());
     auto* found = makeColumn(found_, {}, 16);
     auto* pictures = addRow(found, 16);
-    found->setStretchFactor(pictures->parentWidget(), 1);
+    pictures_ = pictures->parentWidget();
+    found->setStretchFactor(pictures_, 1);
     pictures->addWidget(plan_, 3);
     pictures->addWidget(front_, 2);
     auto* findings = new QWidget;
@@ -133,7 +134,9 @@ QWidget* RoomPage::makeCentre() {
     for (MeasureMeter* measure : {heard_, error_, agreement_})
         measures->addWidget(measure, 1);
     found->addWidget(note_->wrapped());
+    found->addStretch();
     column->addWidget(found_, 1);
+    column->addStretch();  // where nothing is drawn, all stands at the top
     return centre;
 }
 
@@ -251,6 +254,7 @@ void RoomPage::refreshPictures() {
          {static_cast<QWidget*>(plan_), static_cast<QWidget*>(front_), static_cast<QWidget*>(heard_),
           static_cast<QWidget*>(error_), static_cast<QWidget*>(agreement_), static_cast<QWidget*>(note_)})
         part->setVisible(is_drawn);
+    pictures_->setVisible(is_drawn);
 }
 
 void RoomPage::showRun() {

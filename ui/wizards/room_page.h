@@ -87,6 +87,7 @@ private:
     HoldRing* ring_;
     Label* walk_words_;
     RoomDrawing *plan_, *front_;
+    QWidget* pictures_ = nullptr;  ///< around both
     JobProgress* progress_;
     QBoxLayout *walk_trouble_ = nullptr, *findings_ = nullptr, *anchors_ = nullptr;
     MeasureMeter *heard_, *error_, *agreement_;

@@ -23,6 +23,8 @@ void RoomPage::pressWalk() {
     walk_->begin();
     if (!walk_->isRunning())
         emit studio_.failed(tr("The walk did not begin"), walk_->trouble(), About::kCapture);
+    else
+        walk_button_->setFocus();  // the page's own button goes, and the next key would leave the walk
 }
 
 /// Its take becomes the one that is open; followRun() has it surveyed then.

@@ -114,6 +114,19 @@ TEST_F(CalibrateTwoSuits, NobodyIsOfferedWhatWasCalibratedOfTheOther) {
     EXPECT_EQ(page().useButtons().size(), 1u) << "not Bob's";
 }
 
+TEST_F(CalibrateTwoSuits, TheSessionsOwnCalibrationIsInUseForTheSuitThatHasIt) {
+    performer(0).click();
+    CalibrationResult found;
+    found.calibration = nominalCalibration(studio_->suit().suit());
+    found.calibration.created_utc = "2026-03-01T10:00:00Z";
+    ASSERT_EQ(studio_->calibrations().save(found, "gyroscopes"), "");
+    const ShelvedCalibration of_ann = studio_->calibrations().all().at(0);
+    EXPECT_TRUE(studio_->calibrations().isInForce(of_ann));
+    performer(1).click();
+    EXPECT_FALSE(studio_->calibrations().isInForce(of_ann));
+    EXPECT_TRUE(page().useButtons().empty()) << "Bob's takes are made without it, and it is not offered";
+}
+
 TEST_F(CalibrateTwoSuits, AFileOfTheOtherSuitIsTakenOnlyWhenTheOperatorSaysSo) {
     CalibrationResult found;
     found.calibration = nominalCalibration(studio_->suit().suit());

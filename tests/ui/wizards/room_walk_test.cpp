@@ -108,6 +108,16 @@ TEST_F(RoomWalkTest, WhatIsRecordedIsSurveyedMeanwhileAndTheTakeIsShownAtTheEnd)
     begin(1000);
     QSignalSpy steps(studio_.get(), &Studio::stepRequested);
     EXPECT_TRUE(waitLong([this] { return says(page_->room(), "Stand still in the rest pose"); }));
+    EXPECT_EQ(button()->window()->focusWidget(), button())
+        << "the next key ends the walk, and does not leave";
+    const auto bottomOf = [this](const QString& words) {
+        for (const QLabel* label : page_->room().findChildren<QLabel*>())
+            if (label->isVisible() && label->text().contains(words))
+                return label->mapTo(&page_->room(), label->rect().bottomLeft()).y();
+        return 10'000;
+    };
+    EXPECT_TRUE(waitLong([&] { return bottomOf("Stand still in the rest pose") < 200; }))
+        << "at the top while nothing is drawn";
     ASSERT_TRUE(waitLong([this] { return walk().phase() == RoomWalk::Phase::kWalking; }));
     EXPECT_TRUE(waitLong([this] { return says(page_->room(), "Walk slowly past all 4 anchor"); }));
     EXPECT_TRUE(says(page_->room(), " of 60 s"));
