@@ -3169,6 +3169,11 @@
         <translation>Eine serielle Schnittstelle; dort kann eine Steuerbox angeschlossen sein</translation>
     </message>
     <message>
+        <source>%1, anchors of the room</source>
+        <comment>a device</comment>
+        <translation>%1, Anker des Raums</translation>
+    </message>
+    <message>
         <source>%1, worn by %2 %3</source>
         <comment>a device, letter and name of a performer</comment>
         <translation>%1, getragen von %2 %3</translation>
@@ -10819,6 +10824,10 @@ Drehen, beide Richtungen x3</translation>
     <message>
         <source>%1 °C</source>
         <translation>%1&#xa0;°C</translation>
+    </message>
+    <message>
+        <source>humidity %1</source>
+        <translation>Luftfeuchte %1</translation>
     </message>
     <message>
         <source>Storage %1 free, %2 of recording</source>

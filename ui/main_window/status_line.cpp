@@ -134,7 +134,7 @@ QString StatusLine::suitWords() const {
         const SuitStatus& box = frame->health.suit;
         words << tr("%1 °C").arg(numberText(*box.temperature_c, 1));
         if (box.humidity_percent)
-            words << percentText(*box.humidity_percent / 100);
+            words << tr("humidity %1").arg(percentText(*box.humidity_percent / 100));
     }
     return words.join(QStringLiteral(", "));
 }

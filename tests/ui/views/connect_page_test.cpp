@@ -413,6 +413,12 @@ TEST_F(ConnectPageTest, ABoxOfAnchorsIsARoomAndNobodyWearsIt) {
     ASSERT_TRUE(waitFor([&] { return page_->map().boardCount() == 2; }));
     EXPECT_TRUE(page_->map().showsRoom());
     EXPECT_TRUE(page_->assigning().isHidden());
+    auto announced = noctule::test::testAnnouncement();
+    announced.tcp_port = portOf(box);
+    noctule::test::Answerer answerer(announced);
+    studio_->finder().start({answerer.port(), false});
+    ASSERT_TRUE(waitFor([&] { return page_->devices().cards().size() == 1; }));
+    EXPECT_TRUE(page_->devices().cards()[0]->words().detail.endsWith("anchors of the room"));
     studio_->suit().disconnectSuit();
     ASSERT_TRUE(waitFor([&] { return page_->map().boardCount() == 18; }));
     EXPECT_FALSE(page_->map().showsRoom());

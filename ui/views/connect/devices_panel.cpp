@@ -110,7 +110,9 @@ SuitInUse* DevicesPanel::wornOf(const KnownSuit& suit) const {
 
 /// Of several suits: whose it is.
 void DevicesPanel::nameWearer(const SuitInUse& worn, DeviceWords& words) const {
-    if (capture_.suits().areSeveral())
+    if (worn.suit.suit().isFixed())
+        words.detail = tr("%1, anchors of the room", "a device").arg(words.detail);
+    else if (capture_.suits().areSeveral())
         words.detail = tr("%1, worn by %2 %3", "a device, letter and name of a performer")
                            .arg(words.detail, performerLetter(capture_.suits().letterOf(worn)),
                                 capture_.suits().nameOf(worn));

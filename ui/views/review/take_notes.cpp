@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/language/core_words.h"
 #include "ui/models/part_names.h"
 #include "ui/style/words.h"
 
@@ -70,7 +71,8 @@ std::optional<NoteLine> lineOf(const NoteRow& note, const TakeOverview& take) {
         return line;
     if (isTold(line.t_s, take))
         return std::nullopt;
-    line.text = NoteText::tr("%1 driver box: %2", "time, what it says").arg(timeText(line.t_s), said);
+    line.text = NoteText::tr("%1 driver box: %2", "time, what it says")
+                    .arg(timeText(line.t_s), coreWords(said.toStdString()));
     return line;
 }
 
