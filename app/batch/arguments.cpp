@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 
 namespace noctule::batch {
 namespace {
@@ -80,6 +81,19 @@ Result<Arguments> Arguments::parse(const std::vector<std::string>& words,
         }
     }
     return arguments;
+}
+
+std::vector<std::string> Arguments::textsBut(const std::set<std::string>& names) const {
+    std::vector<std::string> found = operands_;
+    for (const Option& option : options_) {
+        if (names.contains(option.name))
+            continue;
+        if (option.kind == Option::Kind::kText && given(option.name))
+            found.push_back(text(option.name));
+        else if (option.kind == Option::Kind::kTexts)
+            std::ranges::copy(texts(option.name), std::back_inserter(found));
+    }
+    return found;
 }
 
 Status Arguments::addOption(const std::vector<std::string>& words, size_t& index) {

@@ -5,6 +5,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,8 @@ public:
     std::optional<double> number(const std::string& name) const;
     std::optional<int64_t> whole(const std::string& name) const;
     const std::vector<std::string>& operands() const { return operands_; }
+    /// Operands, and the values of all text options but these: what is read when these are the outputs.
+    std::vector<std::string> textsBut(const std::set<std::string>& names) const;
 
 private:
     explicit Arguments(const std::vector<Option>& options) : options_(options) {}

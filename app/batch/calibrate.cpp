@@ -108,9 +108,12 @@ Result<Outcome> run(const VerbContext& context, const Plan& plan) {
     if (!request)
         return request.error();
     const Outputs outputs = outputsOf(context.arguments, plan);
-    if (Status free = checkOutputs({outputs.calibration, outputs.report, outputs.actor}, outputs.overwrite,
-                                   context.arguments.operands());
-        !free)
+    std::vector<std::string> files{"report"};
+    if (plan.measures)
+        files.emplace_back("actor-out");
+    if (!plan.checks_only)
+        files.emplace_back("out");
+    if (Status free = checkOutputs(context.arguments, files, {"base", "actor"}); !free)
         return free.error();
     auto result = plan.solve(*request, context.arguments, context.job());
     if (!result)

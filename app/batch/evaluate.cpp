@@ -264,7 +264,7 @@ Result<Outcome> runEvaluatePoints(const VerbContext& context) {
                          "Leave it out"};
     const std::string take = arguments.operands()[0], report_path = arguments.text("report");
     const std::vector<std::string> tables = arguments.texts("points");
-    if (Status free = checkOutputs({report_path}, arguments.given("overwrite"), tables); !free)
+    if (Status free = checkOutputs(arguments, {"report"}); !free)
         return free.error();
     std::vector<PointsEvaluation> all;
     Outcome outcome;
@@ -310,7 +310,7 @@ Result<Outcome> runEvaluate(const VerbContext& context) {
     const bool overwrite = arguments.given("overwrite");
     const std::string report_path = arguments.text("report");
     const std::string csv_path = arguments.text("csv");
-    if (Status free = checkOutputs({report_path, csv_path}, overwrite); !free)
+    if (Status free = checkOutputs(arguments, {"report", "csv"}); !free)
         return free.error();
     const auto oriented = evaluateOrientation(arguments.operands()[0], arguments.text("run"));
     if (!oriented)

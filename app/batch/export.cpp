@@ -194,7 +194,8 @@ Status checkRequests(const Arguments& arguments, const std::vector<ExportRequest
         return Error{ErrorKind::kUsage, "--from lies after --to", "Give --from S before --to S"};
     const bool is_single = requests.size() == 1 || goesIntoOneFile(arguments);
     if (Status free =
-            checkOutputs(allOutputs(arguments, requests), requests.front().overwrite, arguments.operands());
+            checkOutputs(allOutputs(arguments, requests), requests.front().overwrite,
+                         arguments.textsBut({"bvh", "fbx", "glb", "csv", "mot", "sto", "png", "video"}));
         !free) {
         if (is_single)
             return free;

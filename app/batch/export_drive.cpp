@@ -64,12 +64,9 @@ bool exportsDrive(const Arguments& arguments) {
 
 Result<Outcome> exportDrive(const VerbContext& context) {
     const Arguments& arguments = context.arguments;
-    std::vector<std::string> paths;
-    for (const char* file : kDriveFiles)
-        paths.push_back(arguments.text(file));
     if (arguments.operands().size() > 1)
         return Error{ErrorKind::kUsage, "a robot's files are written of one take at a time", "Name one take"};
-    if (Status free = checkOutputs(paths, arguments.given("overwrite"), arguments.operands()); !free)
+    if (Status free = checkOutputs(arguments, {std::begin(kDriveFiles), std::end(kDriveFiles)}); !free)
         return free.error();
     return exportFrom(context, arguments.operands().front());
 }

@@ -2,6 +2,7 @@
 // What verbs read and write beside takes: JSON documents; motions: motion_file.h.
 #pragma once
 
+#include <set>
 #include <string>
 
 #include "app/batch/arguments.h"
@@ -37,6 +38,9 @@ Status readGiven(const Arguments& arguments, const char* option, Result<Value> (
 /// one of the inputs, which --overwrite must not cost; an empty path is none.
 Status checkOutputs(const std::vector<std::string>& paths, bool overwrite,
                     const std::vector<std::string>& inputs = {});
+/// The same of these options, with all that is read. `updated` may be outputs too: they are made anew.
+Status checkOutputs(const Arguments& arguments, const std::vector<std::string>& outputs,
+                    const std::set<std::string>& updated = {});
 Status writeJson(const std::string& path, const nlohmann::json& json, bool overwrite);
 
 /// "walk_001" of "takes/walk_001.noctule".

@@ -189,8 +189,7 @@ Result<Outcome> runImport(const VerbContext& context) {
     if (!list && out.empty())
         return Error{ErrorKind::kUsage, "--out is missing",
                      "Name the take to make, or look first with --list"};
-    if (Status free = checkOutputs({out, map_template}, arguments.given("overwrite"), arguments.operands());
-        !free)
+    if (Status free = checkOutputs(arguments, {"out", "map-template"}); !free)
         return free.error();
     auto recording = readRecording(context);
     if (!recording)

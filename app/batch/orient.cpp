@@ -72,7 +72,7 @@ Status checkTable(const Arguments& arguments) {
     if (arguments.operands().size() > 1)
         return Error{ErrorKind::kUsage, "--csv is one table, and several takes are given",
                      "Give one take at a time"};
-    return checkOutputs({path}, arguments.given("overwrite"), arguments.operands());
+    return checkOutputs(arguments, {"csv"});
 }
 
 Status writeTable(const VerbContext& context, const std::string& take, const std::string& run,

@@ -233,7 +233,7 @@ Status checkPointOptions(const Arguments& arguments) {
     if (arguments.operands().size() > 1)
         return Error{ErrorKind::kUsage, "--points names one table, there are several takes",
                      "Process them one by one"};
-    return checkOutputs({arguments.text("points")}, arguments.given("overwrite"), arguments.operands());
+    return checkOutputs(arguments, {"points"});
 }
 
 Result<Outcome> runPoints(const VerbContext& context, ProcessRequest request) {

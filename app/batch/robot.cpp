@@ -201,10 +201,7 @@ Status checkRobotOutputs(const Arguments& arguments) {
     if (!video.empty() && !isVideoFileName(video))
         return Error{ErrorKind::kUsage, video + ": films of this kind cannot be written",
                      "End its name with .mp4, .mkv or .avi"};
-    return checkOutputs({arguments.text("out"), arguments.text("trajectory"), arguments.text("profile-out"),
-                         arguments.text("report"), video},
-                        arguments.given("overwrite"),
-                        {arguments.operands().front(), arguments.text("robot"), arguments.text("profile")});
+    return checkOutputs(arguments, {"out", "trajectory", "profile-out", "report", "video"});
 }
 
 Result<Outcome> runRobot(const VerbContext& context) {

@@ -57,7 +57,8 @@ Result<Outcome> runSimulate(const VerbContext& context) {
     const std::string out = arguments.text("out"), calibration_out = arguments.text("calibration-out"),
                       truth_out = arguments.text("truth-out"),
                       digitizer_out = arguments.text("digitizer-out");
-    if (Status free = checkOutputs({out, calibration_out, truth_out, digitizer_out}, overwrite); !free)
+    if (Status free = checkOutputs(arguments, {"out", "calibration-out", "truth-out", "digitizer-out"});
+        !free)
         return free.error();
     if (arguments.given("motion") == arguments.given("rig"))
         return Error{ErrorKind::kUsage,

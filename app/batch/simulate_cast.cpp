@@ -79,7 +79,7 @@ Result<Outcome> runSimulateCast(const VerbContext& context) {
     const std::string out = arguments.text("out"), truth_out = arguments.text("truth-out");
     if (Status fits = checkCastOptions(arguments); !fits)
         return fits.error();
-    if (Status free = checkOutputs({out, truth_out}, overwrite, {arguments.text("cast")}); !free)
+    if (Status free = checkOutputs(arguments, {"out", "truth-out"}); !free)
         return free.error();
     context.console.progress(0, "Preparing the motions");
     const auto request = castRequest(arguments.text("cast"), arguments, context.console,

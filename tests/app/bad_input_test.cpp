@@ -38,6 +38,36 @@ TEST(BadInput, TruncatedTake) {
     expectEveryVerbRefuses(folder, take, 3, {"cut.noctule"});
 }
 
+/// Whatever an option reads: a motion, a body, a calibration, the take itself.
+TEST(BadInput, NoInputIsOverwritten) {
+    Folder folder;
+    const std::string take = folder.file("t.noctule"), motion = folder.file("m.bvh"),
+                      body = folder.file("b.glb"), other = folder.file("c.json");
+    writeBytes(take, readBytes(kTinyTake));
+    ASSERT_EQ(batch({"process", take, "--root", "given"}).exit_code, 0);
+    for (const std::string& path : {motion, body, other})
+        writeBytes(path, "mine");
+    const std::string before = readBytes(take);
+    const std::vector<std::vector<std::string>> losing = {
+        {"evaluate", take, "--report", take},
+        {"evaluate", take, "--csv", take},
+        {"evaluate", take, "--reference", motion, "--csv", motion},
+        {"simulate", "--motion", motion, "--out", motion},
+        {"simulate", "--rig", "rest", "--suit", other, "--out", folder.file("x.noctule"), "--truth-out",
+         other},
+        {"export", take, "--mesh", body, "--glb", body},
+        {"orient", take, "--calibration", other, "--csv", other},
+        {"check", take, "--calibration", other, "--report", other},
+        {"calibrate", "sources", take, "--digitizer", other, "--out", other}};
+    for (std::vector<std::string> words : losing) {
+        words.emplace_back("--overwrite");
+        expectRefusal(words, 2, {"is read and would be written"});
+    }
+    for (const std::string& path : {motion, body, other})
+        EXPECT_EQ(readBytes(path), "mine") << path;
+    EXPECT_EQ(readBytes(take), before);
+}
+
 TEST(BadInput, TakeOfAnotherVersion) {
     Folder folder;
     const std::string take = folder.file("later.noctule");

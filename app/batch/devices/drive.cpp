@@ -193,10 +193,7 @@ Result<Outcome> runDriveVerb(const VerbContext& context) {
     const Arguments& arguments = context.arguments;
     if (Status source = checkDrive(arguments); !source)
         return source.error();
-    if (Status fits =
-            checkOutputs({arguments.text("out"), arguments.text("report")}, arguments.given("overwrite"),
-                         {arguments.text("robot"), arguments.text("profile")});
-        !fits)
+    if (Status fits = checkOutputs(arguments, {"out", "report"}); !fits)
         return fits.error();
     auto drive = readDrive(context);
     if (!drive)
