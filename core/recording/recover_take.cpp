@@ -7,6 +7,8 @@
 
 #include <cerrno>
 #include <filesystem>
+#include <fstream>
+#include <string_view>
 
 #include "core/job/atomic_file.h"
 #include "core/recording/database.h"
@@ -18,10 +20,40 @@
 
 namespace noctule {
 
+namespace {
+
+/// Of the last page, where the file was cut off within it; else 0. SQLite reads zeros for what is missing.
+uintmax_t bytesOfCutPage(const std::string& path) {
+    constexpr std::string_view kMagic("SQLite format 3", 16);  // with the zero at its end
+    std::string header(kMagic.size() + 2, '\0');
+    if (!std::ifstream(path, std::ios::binary).read(header.data(), std::ssize(header)) ||
+        !header.starts_with(kMagic))
+        return 0;
+    const auto byte = [&](size_t at) {
+        return static_cast<uintmax_t>(static_cast<unsigned char>(header[at]));
+    };
+    const uintmax_t stated = byte(16) << 8 | byte(17), page_bytes = stated == 1 ? 65536 : stated;
+    std::error_code unknown;
+    const uintmax_t size = std::filesystem::file_size(path, unknown);
+    return unknown || page_bytes < 512 ? 0 : size % page_bytes;
+}
+
+/// Of a copy: rows that end behind the cut would seem whole.
+void dropCutPage(const std::string& path) {
+    std::error_code ignored;
+    if (const uintmax_t bytes = bytesOfCutPage(path))
+        std::filesystem::resize_file(path, std::filesystem::file_size(path, ignored) - bytes, ignored);
+}
+
+}  // namespace
+
 Status checkIntegrity(const std::string& path, const JobContext& job) {
     Result<Database> database = Database::open(path, Access::kRead, {job.cancel});
     if (!database)
         return database.error();
+    if (bytesOfCutPage(path) > 0)
+        return Error{ErrorKind::kUnreadable, path + ": is damaged: it was cut off",
+                     "Keep the file and its -wal; nothing was changed", true};
     database->watchReading(job, "Checking");
     Result<Statement> check = database->prepare("PRAGMA integrity_check(1)");
     if (!check)
@@ -107,6 +139,7 @@ Result<Recovery> recoverTake(const std::string& recording, const std::string& re
     Result<TakeCopy> copy = TakeCopy::make(recording, recovered_path, job);
     if (!copy)
         return copy.error();
+    dropCutPage(copy->path());
     const Status whole = damage ? Status(*damage) : finishWhole(*copy, job);
     if (whole) {
         if (const Status published = copy->publish(false); !published)

@@ -70,6 +70,32 @@ TEST(DamagedTake, WhatCanBeReadOfHalfAFileIsATake) {
     EXPECT_FALSE(recoverTake(torn, saved, {})) << "nothing is overwritten";
 }
 
+int addFirst(void* sum, int, char** values, char**) {
+    *static_cast<int64_t*>(sum) += std::stoll(values[0]);
+    return 0;
+}
+
+/// A row that ends behind the cut is lost; zeros in place of its end would be made up.
+TEST(DamagedTake, RowsThatACutGoesThroughAreNotMadeUp) {
+    const std::string whole = test::readBytes(test::kTinyTake);
+    for (const size_t cut : {6U, 700U, 1500U, 2500U, 3500U}) {  // of the last page, which external_root has
+        SCOPED_TRACE(cut);
+        const Folder folder;
+        const std::string torn = folder.file("torn.noctule"), saved = folder.file("saved.noctule");
+        test::writeBytes(torn, whole.substr(0, whole.size() - cut));
+        ASSERT_TRUE(recoverTake(torn, saved, {}));
+        int64_t made_up = 0;
+        sqlite3* handle = nullptr;
+        ASSERT_EQ(sqlite3_open(saved.c_str(), &handle), SQLITE_OK);
+        const std::string sql = "ATTACH '" + std::string(test::kTinyTake) +
+                                "' AS whole; SELECT count(*) FROM (SELECT * FROM main.external_root EXCEPT "
+                                "SELECT * FROM whole.external_root)";
+        EXPECT_EQ(sqlite3_exec(handle, sql.c_str(), addFirst, &made_up, nullptr), SQLITE_OK);
+        sqlite3_close(handle);
+        EXPECT_EQ(made_up, 0);
+    }
+}
+
 /// Other programs number rows as they like.
 TEST(DamagedTake, RowsOfEveryNumberAreSaved) {
     const Folder folder;
