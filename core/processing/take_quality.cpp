@@ -2,6 +2,7 @@
 #include "core/processing/take_quality.h"
 
 #include <algorithm>
+#include <bit>
 #include <unordered_map>
 
 #include "core/inertial/frame_layout.h"
@@ -25,6 +26,36 @@ void count(const InertialReading& reading, const BoardCalibration* known, Report
             (i < 3 ? board.clipped_gyro : board.clipped_accel) += clipped;
         }
 }
+
+constexpr unsigned kAllAxes = 0b111111;
+
+/// Axes that were read, one bit each.
+unsigned axesOf(const InertialReading& reading) {
+    unsigned axes = 0;
+    for (size_t i = 0; i < reading.counts.size(); ++i)
+        axes |= reading.counts[i] ? 1U << i : 0U;
+    return axes;
+}
+
+/// The rows of one board and what it owes. A frame that refreshes an axis has no room for its partner
+/// (core/inertial/README.md section 4): a single axis missing between two whole frames is not owed.
+struct BoardRows {
+    int64_t rows = 0, last_frame = -1, not_sent = 0;
+    unsigned before_last = 0, last = 0;  ///< axes of the last two frames
+
+    void add(const InertialReading& reading) {
+        const unsigned axes = axesOf(reading);
+        const bool follows = reading.frame == last_frame + 1;
+        if (follows && reading.frame > kJoiningFrames && before_last == kAllAxes && axes == kAllAxes)
+            not_sent += std::popcount(last) == 5 ? 1 : 0;
+        before_last = follows ? last : 0;
+        last = axes;
+        last_frame = reading.frame;
+        ++rows;
+    }
+    /// Boards begin their frames at times of their own: the end of a take cuts the last one of some.
+    int64_t owed(int64_t of_all) const { return last_frame == of_all - 2 ? of_all - 1 : of_all; }
+};
 
 PulseFate fateOf(RangeFate fate) {
     switch (fate) {
@@ -158,7 +189,7 @@ Result<std::vector<ReportBoard>> boardQuality(const Take& take, const Suit& suit
     if (!readings)
         return readings.error();
     int64_t frames = 0;
-    std::vector<int64_t> rows(boards.size());
+    std::vector<BoardRows> rows(boards.size());
     bool has_gyroscopes = false, has_accelerometers = false;  // of other makers' sensors one may lack
     while (true) {
         const auto reading = readings->next();
@@ -167,7 +198,8 @@ Result<std::vector<ReportBoard>> boardQuality(const Take& take, const Suit& suit
         if (!*reading)
             break;
         const auto board = static_cast<size_t>((*reading)->board);
-        frames = std::max({frames, (*reading)->frame + 1, ++rows[board]});
+        rows[board].add(**reading);
+        frames = std::max({frames, (*reading)->frame + 1, rows[board].rows});
         count(**reading, known[board], boards[board]);
         has_gyroscopes = has_gyroscopes || (*reading)->counts[0];
         has_accelerometers = has_accelerometers || (*reading)->counts[3];
@@ -175,9 +207,10 @@ Result<std::vector<ReportBoard>> boardQuality(const Take& take, const Suit& suit
     const bool lacks_one = take.level() == TakeLevel::kReadings && has_gyroscopes != has_accelerometers;
     const int axes = lacks_one ? 3 : 6;
     for (size_t b = 0; b < boards.size(); ++b) {
-        boards[b].frames_expected = frames;
-        boards[b].frames_lost += frames - rows[b];
-        boards[b].readings_expected = axes * std::max<int64_t>(0, frames - kJoiningFrames);
+        const int64_t owed = std::max(rows[b].owed(frames), rows[b].rows);
+        boards[b].frames_expected = owed;
+        boards[b].frames_lost += owed - rows[b].rows;
+        boards[b].readings_expected = axes * std::max<int64_t>(0, owed - kJoiningFrames) - rows[b].not_sent;
     }
     return boards;
 }

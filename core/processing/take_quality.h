@@ -12,7 +12,8 @@
 namespace noctule {
 
 /// Of every board, from the inertial rows of a run. All boards owe as many frames as the longest stream has,
-/// and readings from when every axis can be known. Clipped ones count from then on too.
+/// but for one that the end of the take cuts. They owe the readings that the format sends, from when every
+/// axis can be known. Clipped ones count from then on too.
 Result<std::vector<ReportBoard>> boardQuality(const Take& take, const Suit& suit,
                                               const Calibration& calibration, int64_t inertial_run);
 

@@ -49,6 +49,24 @@ TEST_F(OddReadings, ARowFarBeyondTheOthersIsDamage) {
     EXPECT_TRUE(processed());
 }
 
+/// A stream without a fault is complete: neither what its format leaves out nor the last frame is a loss.
+TEST_F(OddReadings, WhatTheFormatDoesNotSendIsNotLost) {
+    change(
+        "UPDATE inertial SET ax=NULL WHERE board=0 AND frame IN (130, 250);"
+        "UPDATE inertial SET gy=NULL WHERE board=0 AND frame=190;"
+        "UPDATE inertial SET gz=NULL WHERE board=0 AND frame BETWEEN 200 AND 209;"
+        "DELETE FROM inertial WHERE board=0 AND frame=279;"
+        "INSERT INTO inertial(run,board,frame,sample,gx,gy,gz,ax,ay,az,corrected) "
+        "SELECT run,1,279,sample+1071,gx,gy,gz,ax,ay,az,corrected FROM inertial "
+        "WHERE board=0 AND frame=278");
+    const Take changed = take();
+    const auto boards = boardQuality(changed, changed.suit().value(), Calibration{}, kPrimaryRun).value();
+    EXPECT_EQ(boards[0].frames_expected, test::kFrames - 1);
+    EXPECT_EQ(boards[0].frames_lost, 0);
+    EXPECT_EQ(boards[0].readings_expected, 6 * 159 - 3);
+    EXPECT_EQ(boards[0].readings_present, 6 * 159 - 3 - 10) << "ten in a row were lost";
+}
+
 TEST_F(OddReadings, NoPoseIsCarriedOverAnHourWithoutReadings) {
     change("UPDATE inertial SET sample=sample+540000000 WHERE frame>=140");
     const auto refused = processed();
