@@ -26,7 +26,8 @@ Result<std::vector<TakeSubject>> chooseSubjects(const Take& take, const ProcessR
     for (const std::string& name : request.subjects)
         if (std::ranges::none_of(*all, [&](const auto& one) { return !one.room && one.name == name; }))
             return Error{ErrorKind::kUsage, take.path() + ": has no subject '" + name + "'",
-                         "Its subjects are " + namesOf(*all)};
+                         namesOf(*all).empty() ? "It is of one performer: leave out the subjects"
+                                               : "Its subjects are " + namesOf(*all)};
     for (const int suit : take.suitIds())
         if (take.actorInForce(suit) && std::ranges::none_of(*all, [suit](const TakeSubject& one) {
                 return std::ranges::count(one.suits, suit) > 0;

@@ -116,6 +116,8 @@ Result<Database> Database::openWith(const std::string& path, const std::string& 
 
 Result<Database> Database::open(const std::string& path, Access access, const Waiting& waiting) {
     std::error_code status_error;
+    if (std::filesystem::is_directory(path, status_error))
+        return Error{ErrorKind::kUnreadable, path + ": is a folder, not a take", "Choose a .noctule file"};
     if (!std::filesystem::is_regular_file(path, status_error))
         return Error{ErrorKind::kUnreadable, path + ": there is no such file", "Check the path"};
     const int flags = access == Access::kRead ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE;

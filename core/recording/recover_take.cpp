@@ -24,7 +24,7 @@ namespace {
 
 /// Of the last page, where the file was cut off within it; else 0. SQLite reads zeros for what is missing.
 uintmax_t bytesOfCutPage(const std::string& path) {
-    constexpr std::string_view kMagic("SQLite format 3", 16);  // with the zero at its end
+    constexpr std::string_view kMagic("SQLite format 3\0", 16);
     std::string header(kMagic.size() + 2, '\0');
     if (!std::ifstream(path, std::ios::binary).read(header.data(), std::ssize(header)) ||
         !header.starts_with(kMagic))

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 
 #include "core/job/limits.h"
 #include "core/math/json.h"
@@ -171,7 +172,12 @@ Status Take::checkIdentity() const {
                      true};
     if (!application)
         return application.error();
-    if (application->value_or(0) != kTakeApplicationId)
+    std::error_code unknown;
+    const bool is_other = application->value_or(0) != kTakeApplicationId;
+    if (is_other && std::filesystem::file_size(path(), unknown) == 0)
+        return Error{ErrorKind::kUnreadable, path() + ": is empty: nothing was written into it",
+                     "Choose another .noctule file"};
+    if (is_other)
         return Error{ErrorKind::kUnreadable, path() + ": is not a take, it is a database of another kind",
                      "Choose a .noctule file"};
     const auto version = database_->queryInteger("PRAGMA user_version");

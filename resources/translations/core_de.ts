@@ -4764,6 +4764,22 @@
         <translation>Ihre Ergebnisse sind %1</translation>
     </message>
     <message>
+        <source>It is of one performer: leave out the subjects</source>
+        <translation>Sie ist von einer Person: die Darsteller weglassen</translation>
+    </message>
+    <message>
+        <source>%1: is a folder, not a take</source>
+        <translation>%1: ist ein Ordner, keine Aufnahme</translation>
+    </message>
+    <message>
+        <source>%1: is empty: nothing was written into it</source>
+        <translation>%1: ist leer: es wurde nichts hineingeschrieben</translation>
+    </message>
+    <message>
+        <source>Choose another .noctule file</source>
+        <translation>Eine andere .noctule-Datei wählen</translation>
+    </message>
+    <message>
         <source>Its subjects are %1</source>
         <translation>Ihre Darsteller sind %1</translation>
     </message>
@@ -5585,6 +5601,10 @@
     <message>
         <source>%1: is being recorded, so it is left alone</source>
         <translation>%1: wird gerade aufgenommen und bleibt deshalb unberührt</translation>
+    </message>
+    <message>
+        <source>%1: is damaged: it was cut off</source>
+        <translation>%1: ist beschädigt: ein Teil am Ende fehlt</translation>
     </message>
     <message>
         <source>%1: is damaged: %2</source>

@@ -26,7 +26,11 @@ TEST(BadInput, TakesThatAreNone) {
                "this is no database, but long enough to hold a header, one thinks");
     expectEveryVerbRefuses(folder, folder.file("text.noctule"), 3, {"text.noctule"});
     writeBytes(folder.file("empty.noctule"), "");
-    expectEveryVerbRefuses(folder, folder.file("empty.noctule"), 3, {"empty.noctule"});
+    expectEveryVerbRefuses(folder, folder.file("empty.noctule"), 3, {"empty.noctule", "is empty"});
+    std::filesystem::create_directory(folder.file("folder.noctule"));
+    for (const char* verb : {"process", "evaluate", "inspect"})
+        expectRefusal({verb, folder.file("folder.noctule")}, 3, {"folder.noctule", "is a folder"});
+    expectRefusal({"process", tinyTake(folder), "--subjects", "Z"}, 2, {"'Z'", "one performer"});
     runSql(folder.file("other.noctule"), "CREATE TABLE t(x)");
     expectEveryVerbRefuses(folder, folder.file("other.noctule"), 3, {"other.noctule", "another kind"});
 }
