@@ -122,7 +122,7 @@ std::string distancesTable(const ReportData& data) {
         for (const char* what : {"Mean", "95\u00A0%"})
             table.columns.push_back({what, true, text::escaped(run->name) + "\u00A0°"});
     for (const JointComparison& joint : others[0]->from_shown->joints) {
-        html::Row row{{text::escaped(joint.name)}, ""};
+        html::Row row{{text::escaped(text::jointLabel(joint.name))}, ""};
         for (const ReportRun* run : others) {
             const JointComparison* there = run->from_shown->find(joint.name);
             row.cells_html.push_back(there ? text::number(there->angle.mean_deg, 2) : "–");
@@ -136,7 +136,7 @@ std::string distancesTable(const ReportData& data) {
         all.cells_html.push_back("");
     }
     table.rows.push_back(std::move(all));
-    return html::table(table) +
+    return html::heading(table.caption) + html::table(table) +
            html::note(
                "The angle between a joint's two orientations, in the mean and below what it is for 95 % of "
                "the time. The shown run is " +

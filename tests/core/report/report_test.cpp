@@ -166,7 +166,8 @@ TEST(HtmlReport, ShowsHowFarAnotherRunIsFromTheShownOne) {
             run.from_shown->joints[0].angle.mean_deg = 7.125;
         }
     const std::string page = htmlReport(data);
-    EXPECT_TRUE(has(page, caption));
+    EXPECT_LT(page.find(caption), page.find("<caption>" + caption)) << "a heading to be seen, too";
+    EXPECT_FALSE(has(page, ">LeftUpLeg<")) << "joints are called as in the table of joints";
     EXPECT_TRUE(has(page, "7.13") || has(page, "7.12"));
     EXPECT_FALSE(has(page, "<other>"));
 }
