@@ -17,6 +17,9 @@ Grade gradeOf(double value, double good, double usable) {
     return value <= usable ? Grade::kUsable : Grade::kNotUsable;
 }
 
+/// Boards whose lost shares differ by less lost the same moments; plugs do not fail all alike.
+constexpr double kLostTogether = 0.02;
+
 class Judge {
 public:
     Judge(const ReportData& report, const VerdictLimits& limits)
@@ -209,6 +212,9 @@ private:
         std::stable_sort(
             verdict_.lossy_boards.begin(), verdict_.lossy_boards.end(),
             [](const VerdictBoard& a, const VerdictBoard& b) { return a.lost_share > b.lost_share; });
+        const auto& lossy = verdict_.lossy_boards;
+        verdict_.lost_together = lossy.size() > 1 && lossy.size() == report_.boards.size() &&
+                                 lossy.front().lost_share - lossy.back().lost_share < kLostTogether;
         // One dead board costs one segment; when most boards lose much, it is the link.
         const auto many = static_cast<size_t>(
             std::count_if(verdict_.lossy_boards.begin(), verdict_.lossy_boards.end(),

@@ -83,6 +83,7 @@ struct TakeVerdict {
     bool alone_by_design = false;            ///< it has no sensor and keeps its usual pose
     std::optional<double> worst_from_s;      ///< from when on it was less certain, where that can be told
     std::vector<VerdictBoard> lossy_boards;  ///< that lost more than is good, worst first
+    bool lost_together = false;              ///< all boards and about as much: the link to their box did
     CalibrationLack lack;                    ///< of what the run was made with
 
     std::optional<double> mean_error_deg;     ///< over joints, against the reference

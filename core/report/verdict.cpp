@@ -108,16 +108,27 @@ void judgeConsistency(const Comparison& comparison, Verdict& verdict) {
             distrust(*comparison.refused_offset) + ". Check that the reference shows this take.");
 }
 
-void judgeBoards(const ReportData& data, Verdict& verdict) {
+/// Empty: it lost little.
+std::string lossSentence(const ReportBoard& board, const std::string& name) {
+    if (board.lostShare() > VerdictLimits{}.good_lost)
+        return name + "lost " + text::percent(board.lostShare()) +
+               " of its frames. Check its plug and cable.";
+    if (board.readingShare() < kGoodReadings)
+        return name + "delivered " + text::percent(board.readingShare()) +
+               " of its readings. Check its plug and cable.";
+    return {};
+}
+
+void judgeBoards(const ReportData& data, const TakeVerdict& judged, Verdict& verdict) {
+    if (judged.lost_together)
+        verdict.reasons.push_back("All boards lost " + text::percent(judged.lossy_boards.front().lost_share) +
+                                  " of their frames together: the link to the driver box broke off or was "
+                                  "too slow. Check its cable or network.");
     for (size_t i = 0; i < data.boards.size(); ++i) {
         const ReportBoard& board = data.boards[i];
         const std::string name = text::capitalised(boardLabel(data, static_cast<int>(i))) + " ";
-        if (board.lostShare() > VerdictLimits{}.good_lost)
-            verdict.reasons.push_back(name + "lost " + text::percent(board.lostShare()) +
-                                      " of its frames. Check its plug and cable.");
-        else if (board.readingShare() < kGoodReadings)
-            verdict.reasons.push_back(name + "delivered " + text::percent(board.readingShare()) +
-                                      " of its readings. Check its plug and cable.");
+        if (const std::string loss = lossSentence(board, name); !loss.empty() && !judged.lost_together)
+            verdict.reasons.push_back(loss);
         if (board.clipped_gyro + board.clipped_accel > 0)
             verdict.reasons.push_back(
                 name + "was clipped in " +
@@ -174,7 +185,7 @@ Verdict judge(const ReportData& data) {
     if (!is_uncalibrated && gradeOf(data.lack, run->sensors) != Grade::kGood)
         verdict.reasons.push_back(lackSentence(data.lack));
     judgeRanges(data, verdict);
-    judgeBoards(data, verdict);
+    judgeBoards(data, judged, verdict);
     verdict.reasons.insert(verdict.reasons.end(), data.warnings.begin(), data.warnings.end());
     return verdict;
 }

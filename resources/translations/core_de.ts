@@ -4752,6 +4752,10 @@
         <translation>Sie enthält nur Anker</translation>
     </message>
     <message>
+        <source>It is of one performer: leave out the subjects</source>
+        <translation>Sie ist von einer Person: die Darsteller weglassen</translation>
+    </message>
+    <message>
         <source>Its anchors are %1</source>
         <translation>Die Anker sind %1</translation>
     </message>
@@ -4762,22 +4766,6 @@
     <message>
         <source>Its runs are %1</source>
         <translation>Ihre Ergebnisse sind %1</translation>
-    </message>
-    <message>
-        <source>It is of one performer: leave out the subjects</source>
-        <translation>Sie ist von einer Person: die Darsteller weglassen</translation>
-    </message>
-    <message>
-        <source>%1: is a folder, not a take</source>
-        <translation>%1: ist ein Ordner, keine Aufnahme</translation>
-    </message>
-    <message>
-        <source>%1: is empty: nothing was written into it</source>
-        <translation>%1: ist leer: es wurde nichts hineingeschrieben</translation>
-    </message>
-    <message>
-        <source>Choose another .noctule file</source>
-        <translation>Eine andere .noctule-Datei wählen</translation>
     </message>
     <message>
         <source>Its subjects are %1</source>
@@ -5595,6 +5583,10 @@
         <translation>%1: gibt es schon</translation>
     </message>
     <message>
+        <source>%1: is a folder, not a take</source>
+        <translation>%1: ist ein Ordner, keine Aufnahme</translation>
+    </message>
+    <message>
         <source>%1: is a take of format version %2, this program reads version %3</source>
         <translation>%1: ist eine Aufnahme der Formatversion %2, dieses Programm liest Version %3</translation>
     </message>
@@ -5603,12 +5595,16 @@
         <translation>%1: wird gerade aufgenommen und bleibt deshalb unberührt</translation>
     </message>
     <message>
+        <source>%1: is damaged: %2</source>
+        <translation>%1: ist beschädigt: %2</translation>
+    </message>
+    <message>
         <source>%1: is damaged: it was cut off</source>
         <translation>%1: ist beschädigt: ein Teil am Ende fehlt</translation>
     </message>
     <message>
-        <source>%1: is damaged: %2</source>
-        <translation>%1: ist beschädigt: %2</translation>
+        <source>%1: is empty: nothing was written into it</source>
+        <translation>%1: ist leer: es wurde nichts hineingeschrieben</translation>
     </message>
     <message>
         <source>%1: is not a take</source>
@@ -5749,6 +5745,10 @@
     <message>
         <source>Choose a .noctule file from a source that you trust</source>
         <translation>Eine .noctule-Datei aus vertrauenswürdiger Quelle wählen</translation>
+    </message>
+    <message>
+        <source>Choose another .noctule file</source>
+        <translation>Eine andere .noctule-Datei wählen</translation>
     </message>
     <message>
         <source>Choose another name</source>
@@ -6455,6 +6455,10 @@
     <message>
         <source>Against the calibration in force.</source>
         <translation>Gegen die gültige Kalibrierung.</translation>
+    </message>
+    <message>
+        <source>All boards lost %1 of their frames together: the link to the driver box broke off or was too slow. Check its cable or network.</source>
+        <translation>Alle Platinen haben zugleich %1 ihrer Rahmen verloren: Die Verbindung zur Steuerbox riss ab oder war zu langsam. Ihr Kabel oder Netzwerk prüfen.</translation>
     </message>
     <message>
         <source>All joints</source>
@@ -7441,6 +7445,10 @@
         <translation>Was von den Entfernungen jeder Platine übrig bleibt</translation>
     </message>
     <message>
+        <source>What the technical words mean.</source>
+        <translation>Was die Fachwörter bedeuten.</translation>
+    </message>
+    <message>
         <source>What was observable</source>
         <translation>Was beobachtbar war</translation>
     </message>
@@ -7467,10 +7475,6 @@
     <message>
         <source>Without ranges a joint follows its gyroscope, which drifts by 1 to 3° a minute.</source>
         <translation>Ohne Entfernungen folgt ein Gelenk seinem Gyroskop, das um 1 bis 3° je Minute driftet.</translation>
-    </message>
-    <message>
-        <source>What the technical words mean.</source>
-        <translation>Was die Fachwörter bedeuten.</translation>
     </message>
     <message>
         <source>Words of this report</source>

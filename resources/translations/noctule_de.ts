@@ -2574,7 +2574,7 @@
         <translation>für einen anderen Anzug erstellt, %1</translation>
     </message>
     <message>
-        <source>Until the anchors' sources are calibrated, their places are found to decimetres only. Begin with the source offsets, or import the calibration of this box.</source>
+        <source>Until the anchors&apos; sources are calibrated, their places are found to decimetres only. Begin with the source offsets, or import the calibration of this box.</source>
         <translation>Solange die Quellen der Anker nicht kalibriert sind, werden ihre Plätze nur auf Dezimeter gefunden. Mit dem Quellenversatz beginnen oder die Kalibrierung dieser Box importieren.</translation>
     </message>
     <message>
@@ -8518,6 +8518,14 @@ Median; gut: unter %1</translation>
     <message>
         <source>Show this board</source>
         <translation>Diese Platine zeigen</translation>
+    </message>
+    <message>
+        <source>All boards lost %1 of their frames</source>
+        <translation>Alle Platinen haben %1 ihrer Rahmen verloren</translation>
+    </message>
+    <message>
+        <source>They lost them together: the link to the driver box broke off or was too slow. Check its cable or network before the next take.</source>
+        <translation>Sie haben sie zugleich verloren: Die Verbindung zur Steuerbox riss ab oder war zu langsam. Vor der nächsten Aufnahme ihr Kabel oder das Netzwerk prüfen.</translation>
     </message>
     <message>
         <source>%1 lost %2 of its frames</source>

@@ -129,6 +129,13 @@ ProblemWords boardProblem(const TakeVerdict& verdict, const TakeOverview& overvi
     if (verdict.lossy_boards.empty())
         return words;
     const VerdictBoard& worst = verdict.lossy_boards.front();
+    if (verdict.lost_together) {
+        words.title = Words::tr("All boards lost %1 of their frames").arg(percentText(worst.lost_share));
+        words.text = Words::tr(
+            "They lost them together: the link to the driver box broke off or was too slow. Check its cable "
+            "or network before the next take.");
+        return words;
+    }
     words.board = worst.board;
     words.action = Words::tr("Show this board");
     words.title = Words::tr("%1 lost %2 of its frames")

@@ -167,9 +167,13 @@ TEST_F(TakeVerdictTest, LossyBoardsAreListedWorstFirst) {
     ASSERT_EQ(verdict.lossy_boards.size(), 2u);
     EXPECT_EQ(verdict.lossy_boards[0].board, 7);
     EXPECT_DOUBLE_EQ(verdict.lossy_boards[1].lost_share, 0.1);
+    EXPECT_FALSE(verdict.lost_together);
     for (ReportBoard& board : report_.boards)
         board.frames_lost = 1000;
     EXPECT_EQ(this->verdict().grade, Grade::kNotUsable);
+    EXPECT_TRUE(this->verdict().lost_together) << "it is the link";
+    report_.boards[7].frames_lost = 1400;
+    EXPECT_FALSE(this->verdict().lost_together) << "one lost more than the link did";
 }
 
 TEST_F(TakeVerdictTest, HolesAreMergedBeforeTheyAreMeasured) {
