@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Inputs that are damaged, foreign or do not fit: the documented exit code, a message that names the thing,
 // and nothing written or changed.
+#include "core/recording/take.h"
 #include "tests/support/program_run.h"
 
 namespace noctule::test {
@@ -49,9 +50,11 @@ TEST(BadInput, NoInputIsOverwritten) {
                       body = folder.file("b.glb"), other = folder.file("c.json");
     writeBytes(take, readBytes(kTinyTake));
     ASSERT_EQ(batch({"process", take, "--root", "given"}).exit_code, 0);
-    for (const std::string& path : {motion, body, other})
+    for (const std::string& path : {motion, body})
         writeBytes(path, "mine");
     const std::string before = readBytes(take);
+    const std::string calibration = toJson(Take::open(take)->calibrationInForce()->value).dump();
+    writeBytes(other, calibration);
     const std::vector<std::vector<std::string>> losing = {
         {"evaluate", take, "--report", take},
         {"evaluate", take, "--csv", take},
@@ -67,8 +70,9 @@ TEST(BadInput, NoInputIsOverwritten) {
         words.emplace_back("--overwrite");
         expectRefusal(words, 2, {"is read and would be written"});
     }
-    for (const std::string& path : {motion, body, other})
+    for (const std::string& path : {motion, body})
         EXPECT_EQ(readBytes(path), "mine") << path;
+    EXPECT_EQ(readBytes(other), calibration);
     EXPECT_EQ(readBytes(take), before);
 }
 

@@ -6,6 +6,7 @@
 
 #include <QSettings>
 #include <QSignalSpy>
+#include <algorithm>
 
 #include "core/session/placement.h"
 #include "tests/devices/support/test_box.h"
@@ -218,8 +219,14 @@ TEST_F(LiveSuitTest, AnotherBoxAtTheSameAddressIsAnotherSuit) {
         if (what.startsWith("Another box answers"))
             told << what;
     });
+    const auto starts = [&] {
+        return std::ranges::count_if(box.events(), [](const link::BoxEvent& event) {
+            return std::holds_alternative<link::StartWanted>(event);
+        });
+    };
+    ASSERT_TRUE(waitFor([&] { return starts() == 1; }));
     box.restart();
-    ASSERT_TRUE(waitFor([&] { return suit_->status()->reconnections == 1; }));
+    ASSERT_TRUE(waitFor([&] { return starts() == 2; }));
     ASSERT_TRUE(reach(Phase::kLooking));
     EXPECT_TRUE(suit_->calibration()) << "it was switched off and on";
     EXPECT_TRUE(told.isEmpty());

@@ -245,6 +245,14 @@ uint16_t portOf(const TestBox& box) {
     return static_cast<uint16_t>(std::stoi(box.address().substr(box.address().rfind(':') + 1)));
 }
 
+/// Of the box that has this serial number; null: it is not in the list.
+const DeviceWords* wordsOf(const DevicesPanel& devices, const QString& serial) {
+    for (const DeviceCard* card : devices.cards())
+        if (card->words().serial == serial)
+            return &card->words();
+    return nullptr;
+}
+
 TEST_F(ConnectPageTest, ABoxWhoseAddressAnotherOneHasIsNotConnected) {
     const TestBox box({.loops = true});
     ASSERT_TRUE(connectTo(box));
@@ -253,8 +261,8 @@ TEST_F(ConnectPageTest, ABoxWhoseAddressAnotherOneHasIsNotConnected) {
     noctule::test::Answerer answerer(gone);
     studio_->finder().start({answerer.port(), false});
     DevicesPanel& devices = page_->devices();
-    ASSERT_TRUE(waitFor([&] { return devices.cards().size() == 1; }));
-    EXPECT_EQ(devices.cards()[0]->words().state, "");
+    ASSERT_TRUE(waitFor([&] { return wordsOf(devices, "NB-000999") != nullptr; }));
+    EXPECT_EQ(wordsOf(devices, "NB-000999")->state, "");
 }
 
 TEST_F(ConnectPageTest, ABoxThatAnswersAtAnotherAddressIsTheSameSuit) {
@@ -268,8 +276,8 @@ TEST_F(ConnectPageTest, ABoxThatAnswersAtAnotherAddressIsTheSameSuit) {
     noctule::test::Answerer answerer(announced);
     studio_->finder().start({answerer.port(), false});
     DevicesPanel& devices = page_->devices();
-    ASSERT_TRUE(waitFor([&] { return devices.cards().size() == 1; }));
-    EXPECT_EQ(devices.cards()[0]->words().state, "link broken");
+    ASSERT_TRUE(waitFor([&] { return devices.cards()[0]->words().state == "link broken"; }));
+    EXPECT_EQ(devices.cards().size(), 1u);
     EXPECT_EQ(devices.cards()[0]->words().action, "Connect again");
     QTest::mouseClick(devices.cards()[0]->button(), Qt::LeftButton);
     ASSERT_TRUE(waitFor([&] { return devices.cards()[0]->words().state == "connected"; }));
@@ -417,8 +425,9 @@ TEST_F(ConnectPageTest, ABoxOfAnchorsIsARoomAndNobodyWearsIt) {
     announced.tcp_port = portOf(box);
     noctule::test::Answerer answerer(announced);
     studio_->finder().start({answerer.port(), false});
-    ASSERT_TRUE(waitFor([&] { return page_->devices().cards().size() == 1; }));
-    EXPECT_TRUE(page_->devices().cards()[0]->words().detail.endsWith("anchors of the room"));
+    const auto& cards = page_->devices().cards();
+    EXPECT_TRUE(waitFor([&] { return cards[0]->words().detail.endsWith("anchors of the room"); }));
+    EXPECT_EQ(cards.size(), 1u);
     studio_->suit().disconnectSuit();
     ASSERT_TRUE(waitFor([&] { return page_->map().boardCount() == 18; }));
     EXPECT_FALSE(page_->map().showsRoom());
