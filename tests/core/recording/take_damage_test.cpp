@@ -174,12 +174,14 @@ TEST(RefusedTake, NoFileAndNoDatabase) {
     const Folder folder;
     EXPECT_EQ(Take::open(folder.file("none")).error().kind, ErrorKind::kUnreadable);
     EXPECT_EQ(Take::open(folder.file("")).error().kind, ErrorKind::kUnreadable);
-    for (const std::string& content : {std::string(), std::string("BVH"), std::string(5000, 'x')}) {
+    const std::pair<std::string, const char*> contents[] = {
+        {"", "is empty"}, {"BVH", "is not a take"}, {std::string(5000, 'x'), "is not a take"}};
+    for (const auto& [content, why] : contents) {
         test::writeBytes(folder.file("text"), content);
         const auto take = Take::open(folder.file("text"));
         ASSERT_FALSE(take);
         EXPECT_EQ(take.error().kind, ErrorKind::kUnreadable);
-        EXPECT_NE(take.error().message.find("is not a take"), std::string::npos) << take.error().text();
+        EXPECT_NE(take.error().message.find(why), std::string::npos) << take.error().text();
     }
 }
 
