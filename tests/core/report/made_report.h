@@ -141,4 +141,13 @@ inline ReportData madeReport(double seconds) {
     return data;
 }
 
+inline const ReportData& shortReport() {
+    static const ReportData data = madeReport(20);
+    return data;
+}
+
+inline bool has(const std::string& page, const std::string& part) {
+    return page.find(part) != std::string::npos;
+}
+
 }  // namespace noctule::test

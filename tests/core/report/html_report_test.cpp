@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/report/html_report.h"
+
 #include <gtest/gtest.h>
 
 #include <regex>
@@ -6,25 +8,14 @@
 #include "core/body/text.h"
 #include "core/report/calibration_document.h"
 #include "core/report/calibration_documents.h"
-#include "core/report/evaluation_json.h"
-#include "core/report/html_report.h"
-#include "core/report/joint_support.h"
-#include "core/report/range_statistics.h"
 #include "core/report/sections.h"
 #include "core/report/style.h"
-#include "core/report/svg_plot.h"
-#include "core/report/verdict.h"
 #include "tests/core/report/made_report.h"
 
 namespace noctule {
 namespace {
 
 using namespace test;
-
-const ReportData& shortReport() {
-    static const ReportData data = madeReport(20);
-    return data;
-}
 
 /// Empty when every tag is closed in its order; else what is wrong.
 std::string tagTrouble(const std::string& page) {
@@ -47,10 +38,6 @@ std::string tagTrouble(const std::string& page) {
             open.pop_back();
     }
     return open.empty() ? "" : open.back() + " stays open";
-}
-
-bool has(const std::string& page, const std::string& part) {
-    return page.find(part) != std::string::npos;
 }
 
 TEST(CalibrationDocuments, PageAndTextSayTheSame) {
@@ -251,190 +238,6 @@ TEST(HtmlReport, SaysWhatIsUnknownWhenAlmostNothingIs) {
     EXPECT_EQ(tagTrouble(page), "");
     EXPECT_TRUE(has(page, "Without a reference the error of this take is not known"));
     EXPECT_TRUE(has(page, "holds no pulses"));
-}
-
-TEST(EvaluationJson, HasTheDocumentedMembers) {
-    const ReportData& data = shortReport();
-    const nlohmann::json json = evaluationJson(data, *data.shownRun());
-    EXPECT_EQ(json.at("take"), "boxer_001");
-    EXPECT_EQ(json.at("run"), "AGD-manifold");
-    EXPECT_EQ(json.at("sensors"), "AGD");
-    EXPECT_EQ(json.at("joints").size(), 17u);
-    const Comparison& c = *data.shownRun()->comparison;
-    EXPECT_EQ(json.at("joints")[0].at("name"), c.joints[0].name);
-    for (const char* member : {"mean_deg", "std_deg", "rms_deg"})
-        EXPECT_TRUE(json.at("joints")[0].at(member).is_number()) << member;
-    EXPECT_DOUBLE_EQ(json.at("mean_deg"), c.mean_deg);
-    for (const char* member : {"end_effector_mm", "nees", "duration_s"})
-        EXPECT_TRUE(json.at(member).is_number()) << member;
-    for (const char* member : {"yaw_deg", "tilt_deg", "position_m"})
-        EXPECT_TRUE(json.at("root").at(member).is_number()) << member;
-    EXPECT_EQ(json.at("verdict"), "Usable") << "a board lost frames";
-    EXPECT_NO_THROW((void)json.dump());
-}
-
-TEST(EvaluationJson, UnknownIsNullAndNeverNan) {
-    ReportData data = madeReport(5);
-    data.runs.back().comparison->nees.reset();
-    data.runs.back().comparison->joints[0].angle.mean_deg = NAN;
-    const nlohmann::json json = evaluationJson(data, data.runs.back());
-    EXPECT_TRUE(json.at("nees").is_null());
-    EXPECT_TRUE(json.at("joints")[0].at("mean_deg").is_null());
-    data.runs.back().comparison.reset();
-    const nlohmann::json without = evaluationJson(data, data.runs.back());
-    EXPECT_TRUE(without.at("mean_deg").is_null());
-    EXPECT_TRUE(without.at("root").at("yaw_deg").is_null());
-    EXPECT_TRUE(without.at("joints").empty());
-}
-
-TEST(Verdict, FollowsTheError) {
-    ReportData data = madeReport(5);
-    for (size_t i = 0; i < data.boards.size(); ++i)
-        data.boards[i].frames_lost = data.boards[i].clipped_accel = 0;
-    data.boards[14].readings_present = data.boards[14].readings_expected;
-    const auto gradeAt = [&](double mean_deg) {
-        data.runs.back().comparison->mean_deg = mean_deg;
-        return judge(data).grade;
-    };
-    EXPECT_EQ(gradeAt(1), Grade::kGood);
-    EXPECT_EQ(gradeAt(5), Grade::kUsable);
-    EXPECT_EQ(gradeAt(12), Grade::kNotUsable);
-    EXPECT_EQ(gradeAt(NAN), Grade::kNotUsable);
-    EXPECT_EQ(gradeAt(1), Grade::kGood);
-    data.runs.back().comparison->joints[3].angle.mean_deg = 20;
-    EXPECT_EQ(judge(data).grade, Grade::kUsable);
-    data.boards[2].readings_present = 0;
-    EXPECT_TRUE(has(judge(data).reasons.back(), "Chest (board 3) delivered 0 %"));
-    data.take.reference_kind = "optical";
-    EXPECT_TRUE(has(judge(data).headline, "against the optical reference"));
-}
-
-TEST(RangeStatistics, CountsFatesAndGaps) {
-    ReportPair pair{0, 0, {}};
-    const PulseFate fates[] = {PulseFate::kUsed,    PulseFate::kRejected, PulseFate::kOccluded,
-                               PulseFate::kMissing, PulseFate::kUsed,     PulseFate::kUnused};
-    for (int i = 0; i < 6; ++i)
-        pair.pulses.push_back(
-            {static_cast<float>(i), fates[i], i == 0 ? 0.5f : 1.0f, 1.0f, i == 0 ? 0.003f : 0.004f});
-    const RangeStatistics s = rangeStatistics(pair);
-    EXPECT_EQ(s.pulses(), 6);
-    EXPECT_EQ(s.heard(), 4);
-    EXPECT_EQ(s.of(PulseFate::kUsed), 2);
-    EXPECT_DOUBLE_EQ(s.longest_gap_s, 4);
-    EXPECT_NEAR(*s.residualRms_m(), 0.0035355, 1e-6);
-    EXPECT_NEAR(s.meanConfidence(), 5.5 / 6, 1e-9);
-    EXPECT_FALSE(rangeStatistics(ReportPair{}).residualRms_m());
-}
-
-TEST(JointSupport, ARangeBacksTheJointsBetweenItsEnds) {
-    Suit suit;
-    suit.boards = {{"l_hand", "", "LeftHand"}, {"head", "", "Head"}};
-    suit.sources = {{"s1", "", "Chest"}, {"s2", "", "Hips"}};
-    ReportPair pair{0, 0, {}};  // chest to left hand, used in the first half of ten seconds
-    for (int i = 0; i < 10; ++i)
-        pair.pulses.push_back({0.5f * static_cast<float>(i), PulseFate::kUsed, 1, 1, 0});
-    ReportTake take;
-    take.duration_s = 10;
-    auto support = jointSupport(defaultActor().skeleton, suit, {pair}, {1.0, 0.5}, take, 0.6);
-    const auto of = [&](const std::string& name) {
-        return *std::find_if(support.begin(), support.end(),
-                             [&](const JointSupport& s) { return s.joint == name; });
-    };
-    for (const char* joint : {"LeftShoulder", "LeftArm", "LeftForeArm", "LeftHand"}) {
-        EXPECT_NEAR(of(joint).ranges, 0.51, 0.01) << joint;
-        EXPECT_NEAR(of(joint).inertia, 0.49, 0.01) << joint;
-    }
-    EXPECT_EQ(of("Chest").ranges, 0) << "both ends turn with the chest";
-    EXPECT_EQ(of("Head").ranges, 0);
-    EXPECT_EQ(of("Head").inertia, 0.5);
-    EXPECT_EQ(of("Spine").inertia, 1);
-    EXPECT_EQ(of("RightArm").alone(), 1);
-    EXPECT_EQ(support.size(), 17u);
-
-    take.begin_s = 3;  // another box began first
-    for (PulseAtBoard& pulse : pair.pulses)
-        pulse.time_s += 3;
-    support = jointSupport(defaultActor().skeleton, suit, {pair}, {1.0, 0.5}, take, 0.6);
-    EXPECT_NEAR(of("LeftArm").ranges, 0.51, 0.01);
-    EXPECT_NEAR(of("LeftArm").lost_from_s.value_or(0), 3 + 5.1, 0.1);
-}
-
-TEST(JointSupport, TheRestPoseAtTheBeginningDoesNotCount) {
-    Suit suit;
-    suit.boards = {{"l_hand", "", "LeftHand"}};
-    suit.sources = {{"s1", "", "Chest"}};
-    ReportPair pair{0, 0, {}};
-    for (int i = 0; i < 75; ++i)  // no range is used while the rest pose is measured
-        pair.pulses.push_back(
-            {0.1f * static_cast<float>(i), i < 52 ? PulseFate::kRejected : PulseFate::kUsed, 1, 1, 0});
-    ReportTake take;
-    take.duration_s = 7.5;
-    take.rest_s = 5.2;
-    const auto shareOfHand = [&] {
-        const auto support = jointSupport(defaultActor().skeleton, suit, {pair}, {1.0}, take);
-        return std::ranges::find(support, "LeftHand", &JointSupport::joint)->ranges;
-    };
-    EXPECT_NEAR(shareOfHand(), 1, 0.06);
-
-    take.begin_s = 3;  // another box began first; the rest is on the take's clock
-    take.rest_s += 3;
-    for (PulseAtBoard& pulse : pair.pulses)
-        pulse.time_s += 3;
-    EXPECT_NEAR(shareOfHand(), 1, 0.06);
-
-    take.rest_s = take.end_s() + 1;
-    EXPECT_EQ(shareOfHand(), 0);
-}
-
-TEST(SvgPlot, DecimationKeepsExtremesAndBreaksAtHoles) {
-    std::vector<double> time_s, values;
-    for (int i = 0; i < 100000; ++i) {
-        time_s.push_back(i * 0.001 + (i > 50000 ? 5 : 0));
-        values.push_back(i == 20000 ? 10 : i % 2 ? 1.0 : -1.0);
-    }
-    values[70000] = NAN;
-    const std::string path = decimatedPath(time_s, values, {0, 105}, {-10, 10}, {0, 500}, {0, 100});
-    EXPECT_EQ(std::count(path.begin(), path.end(), 'M'), 3);
-    EXPECT_TRUE(has(path, " 0 ")) << "the single spike reaches the top";
-    EXPECT_LT(path.size(), 16000u);
-    EXPECT_FALSE(std::regex_search(path, std::regex("[^-M0-9. ]")));
-}
-
-TEST(SvgPlot, ABandBreaksWhereItsCurveBreaks) {
-    std::vector<double> time_s, middle, half_width(600, 5);
-    for (int i = 0; i < 600; ++i) {
-        time_s.push_back(0.02 * i + (i < 400 ? 0 : 2));  // a hole of two seconds
-        middle.push_back(i < 200 ? 170 : -170);
-    }
-    middle[200] = NAN;  // it goes round
-    LinePlot plot;
-    plot.time_s = {0, 14};
-    plot.values = {-180, 180};
-    plot.bands.push_back({time_s, middle, half_width});
-    std::string band = svg(plot);
-    band = band.substr(band.find("<path class=\"band\" d=\""));
-    band = band.substr(0, band.find("/>"));
-    EXPECT_EQ(std::count(band.begin(), band.end(), 'M'), 3);
-    EXPECT_EQ(std::count(band.begin(), band.end(), 'Z'), 3);
-    half_width[450] = INFINITY;
-    EXPECT_EQ(std::ranges::count(svg(plot), 'Z'), 4) << "nothing is known of one instant";
-}
-
-TEST(SvgPlot, TicksAreRoundAndFew) {
-    const std::vector<double> tens = ticks({-5, 42}, 5);
-    EXPECT_EQ(tens, (std::vector<double>{0, 10, 20, 30, 40}));
-    for (const double top : {0.03, 0.7, 1.0, 3.3, 17.0, 99.0, 1234.0}) {
-        const std::vector<double> values = ticks({0, top}, 5);
-        EXPECT_GE(values.size(), 2u) << top;
-        EXPECT_LE(values.size(), 6u) << top;
-    }
-    EXPECT_TRUE(ticks({1, 1}, 5).empty());
-    const std::vector<double> nothing = {NAN, INFINITY};
-    EXPECT_EQ(niceInterval({nothing}, 2).span(), 2);
-    const std::vector<double> some = {-3.2, 14.1};
-    EXPECT_LE(niceInterval({some}, 1).min, -3.2);
-    EXPECT_GE(niceInterval({some}, 1).max, 14.1);
-    EXPECT_LE(timeTicks({0, 307}).size(), 11u);
 }
 
 TEST(Text, NumbersAsTheStudioWritesThem) {
