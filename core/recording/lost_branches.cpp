@@ -28,12 +28,12 @@ struct DamagedTable {
     std::vector<RowPage> pages;  ///< damaged ones that may have led to others, in the order of their rows
 };
 
-/// Sound pages below one that nothing leads to.
+/// A sound page that nothing leads to, with the numbers of the first and last row on it and below it.
 struct Branch {
     int64_t page = 0, first = 0, last = 0;
 };
 
-/// How SQLite writes down what kind of value follows (file format, section 2.1).
+/// A value of this type may stand in the column. `serial_type`: SQLite file format, section 2.1.
 bool fits(const ColumnShape& column, int64_t serial_type) {
     if (serial_type == 0)
         return column.may_be_null;
@@ -97,27 +97,28 @@ public:
         return damaged;
     }
 
-    /// Those that nothing leads to, neither a tree nor another one of them; none where they lead to each
-    /// other.
+    /// Pages of tables that no tree and no other lost page leads to; none when lost pages lead to each other
+    /// in a circle.
     std::vector<int64_t> lostPages(const JobContext& job) {
-        constexpr int64_t kDeepest = 20;  // as SQLite has it: so often is a page of a tree looked at
         std::vector<int64_t> lost;
         std::set<int64_t> below;
         int64_t looks = 0;
         for (int64_t page = 2; page <= page_count_ && !job.cancelled(); ++page) {
             if (reached_.contains(page) || !page_.read(page))
                 continue;
-            if (page_.kind() == kInnerPage) {
+            const int kind = page_.kind();
+            if (kind != kInnerPage && kind != kRowPage)
+                continue;
+            lost.push_back(page);
+            if (kind == kInnerPage) {
                 std::set<int64_t> all;
                 (void)rowPages(file_, page_bytes_, page, &all);
                 looks += static_cast<int64_t>(all.size());
-                if (looks > kDeepest * page_count_)
+                if (looks > kMostLevels * page_count_)  // more than trees need: a circle
                     return {};
                 all.erase(page);
                 below.merge(all);
             }
-            if (page_.read(page) && (page_.kind() == kInnerPage || page_.kind() == kRowPage))
-                lost.push_back(page);
         }
         std::erase_if(lost, [&](int64_t page) { return below.contains(page); });
         return lost;
@@ -155,7 +156,7 @@ private:
         return static_cast<bool>(file_);
     }
 
-    /// SQLite knows none with a single branch. False when there is no room for all.
+    /// At least two branches: SQLite refuses an inner page with a single child. False when there is no room.
     bool writeInnerPage(int64_t page, const std::vector<Branch>& branches) {
         std::string made(static_cast<size_t>(page_bytes_), '\0');
         constexpr size_t kList = 12;
@@ -184,7 +185,7 @@ private:
     /// Of the one that was read last: first and last number, when all rows fit and ascend.
     std::optional<Branch> rowsOfPage(const std::vector<ColumnShape>& columns) const {
         constexpr int64_t kList = 8;
-        const int64_t rows = page_.number(3, 2);
+        const int64_t rows = page_.entries();
         Branch numbers;
         for (int64_t i = 0; i < rows; ++i) {
             int64_t at = page_.number(kList + 2 * i, 2);

@@ -10,6 +10,7 @@
 namespace noctule {
 
 inline constexpr int kInnerPage = 5, kRowPage = 13;  ///< kinds of pages of a table
+inline constexpr int kMostLevels = 20;               ///< of a table's tree, as SQLite has it
 
 class PageReader {
 public:
@@ -29,6 +30,7 @@ public:
     const std::string& bytes() const { return bytes_; }
     int64_t start() const { return start_; }  ///< of what stands on it
     int kind() const { return byte(start_); }
+    int64_t entries() const { return number(start_ + 3, 2); }  ///< rows, or children but the last
     int byte(int64_t at) const {
         return at < page_bytes_ ? static_cast<unsigned char>(bytes_[static_cast<size_t>(at)]) : 0;
     }

@@ -14,7 +14,6 @@ namespace {
 
 constexpr int64_t kLowest = std::numeric_limits<int64_t>::min();
 constexpr int64_t kHighest = std::numeric_limits<int64_t>::max();
-constexpr int kDeepest = 20;               // as SQLite has it
 constexpr int64_t kShortestRow_bytes = 6;  // with its entry in the page's list
 constexpr double kMostRows = 1e12;         // of a table: a week of 10 MHz is as many
 
@@ -28,9 +27,9 @@ public:
 
     /// `usual`: numbers of rows below a page beside this one.
     void visit(const Child& at, const std::optional<int64_t>& usual, int depth) {
-        const bool is_read = depth < kDeepest && visited_.insert(at.page).second && page_.read(at.page);
+        const bool is_read = depth < kMostLevels && visited_.insert(at.page).second && page_.read(at.page);
         const int kind = is_read ? page_.kind() : 0;
-        const int64_t entries = is_read ? page_.number(page_.start() + 3, 2) : 0;
+        const int64_t entries = is_read ? page_.entries() : 0;
         if (kind == kRowPage && entries <= page_bytes_ / kShortestRow_bytes) {
             const std::optional<int64_t> room = numbers(at);
             const int64_t rows = atMost(entries, room);
@@ -70,7 +69,7 @@ private:
         constexpr int kList = 12;  // where the list of entries begins
         std::vector<Child> found;
         int64_t first = at.first;
-        const int64_t start = page_.start(), entries = page_.number(start + 3, 2);
+        const int64_t start = page_.start(), entries = page_.entries();
         for (int64_t i = 0; i < entries; ++i) {
             const int64_t entry = page_.number(start + kList + 2 * i, 2);
             int64_t key = entry + 4;
