@@ -65,11 +65,16 @@ std::optional<std::string_view> headerValue(std::string_view line, std::string_v
     return trimmed(line.substr(at + key.size()));
 }
 
-void readHeaderLine(std::string_view line, XsensFile& file) {
+/// "60.0Hz"; others are passed over.
+void takeRate(std::string_view text, XsensFile& file) {
     double rate = 0;
+    if (parseNumber(text.data(), text.data() + text.size(), rate) && rate >= 1 && rate <= 10'000)
+        file.stated_rate_hz = rate;
+}
+
+void readHeaderLine(std::string_view line, XsensFile& file) {
     if (const auto text = headerValue(line, "Update Rate:"))
-        if (parseNumber(text->data(), text->data() + text->size(), rate) && rate >= 1 && rate <= 10'000)
-            file.stated_rate_hz = rate;
+        takeRate(*text, file);
     if (const auto text = headerValue(line, "DeviceId:"); text && !text->empty() && text->size() < 64)
         file.id = std::string(*text);
     if (const auto text = headerValue(line, "Coordinate system:"))
@@ -87,14 +92,11 @@ void readDotLine(std::string_view line, XsensFile& file) {
             text.remove_prefix(1);
         return trimmed(text.substr(0, text.find(',')));
     };
-    const std::string_view tag = value("DeviceTag:"), rate_text = value("OutputRate:");
+    const std::string_view tag = value("DeviceTag:");
     // As delivered all have the same.
     if (!tag.empty() && tag.size() < 64 && tag != "Xsens DOT" && tag != "Movella DOT")
         file.id = std::string(tag);
-    double rate = 0;
-    if (parseNumber(rate_text.data(), rate_text.data() + rate_text.size(), rate) && rate >= 1 &&
-        rate <= 10'000)
-        file.stated_rate_hz = rate;
+    takeRate(value("OutputRate:"), file);
 }
 
 /// Names of DOT's columns as MT Manager has them; Euler_X is the roll.
@@ -164,7 +166,6 @@ Result<std::string_view> readHead(std::string_view& text, const ImportFile& give
 
 Result<XsensFile> readXsensFile(const ImportFile& given, const JobContext& job) {
     XsensFile file;
-    file.id = deviceOf(given);
     const std::optional<std::string> utf8 = fromUtf16(given.bytes);
     std::string_view text =
         withoutByteOrderMark(utf8 ? std::string_view(*utf8) : std::string_view(given.bytes));
@@ -191,11 +192,10 @@ Result<XsensFile> readXsensFile(const ImportFile& given, const JobContext& job) 
         file.is_dot |= columnName(name) != name;
         file.columns[columnName(name)] = std::move(columns->columns[i]);
     }
-    if (file.is_dot) {
+    if (file.is_dot)
         file.stated_world = WorldFrame::kEastNorthUp;
-        if (file.id == deviceOf(given))
-            file.id = given.stem();  // it ends with a time, not with a device
-    }
+    if (file.id.empty())
+        file.id = file.is_dot ? given.stem() : deviceOf(given);  // DOT's names of files end with a time
     if (!file.has("PacketCounter"))
         return xsensError(given.path, "its packet counter is empty");
     file.counts = unwrapped(file.at("PacketCounter"));

@@ -50,6 +50,12 @@ TEST(MovellaDot, EulerAnglesAreRollPitchYawAndTagsAsDeliveredNameNobody) {
         << "a roll of 90 degrees turns y up";
 }
 
+TEST(MovellaDot, ATagThatEndsTheNameOfItsFileIsStillItsName) {
+    const auto read = readAs({{"DOT_hip.csv", dotTable("hip", "Gyr_X,Gyr_Y,Gyr_Z", "90,0,0")}});
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_EQ(read->sensors[0].id, "hip");
+}
+
 /// Without the app's first lines, as a program with DOT's library writes it.
 TEST(MovellaDot, ItsColumnsTellItToo) {
     std::string text = dotTable("", "Quat_W,Quat_X,Quat_Y,Quat_Z,Gyr_X,Gyr_Y,Gyr_Z", "1,0,0,0,90,0,0");
