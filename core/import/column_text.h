@@ -49,5 +49,7 @@ bool readCell(std::string_view cell, bool decimal_comma, double& value);
 /// "2024-05-01T10:00:00.25Z", "2024/05/01 10:00:00,25", "10:00:00.25": seconds since 1970, or of the day.
 /// Nothing when it is no such instant. Without a zone it counts as UTC.
 std::optional<double> readInstant(std::string_view cell);
+/// The same with a date: nothing for a time of day alone.
+std::optional<double> readDateAndTime(std::string_view text);
 
 }  // namespace noctule

@@ -46,7 +46,7 @@ private:
 
 constexpr double kMinute_s = 60, kHour_s = 3600, kDay_s = 86400;
 
-std::optional<double> readDate(InstantCursor& cursor) {
+std::optional<double> dayOf(InstantCursor& cursor) {
     int year = 0, month = 0, day = 0;
     if (!cursor.digits(4, year) || !cursor.take("-/") || !cursor.digits(2, month) || !cursor.take("-/") ||
         !cursor.digits(2, day) || !cursor.take("T _"))
@@ -78,7 +78,7 @@ std::optional<double> readInstant(std::string_view cell) {
     InstantCursor cursor(cell);
     double seconds = 0;
     if (cursor.followsDate()) {
-        const auto date = readDate(cursor);
+        const auto date = dayOf(cursor);
         if (!date)
             return std::nullopt;
         seconds = *date;
@@ -92,6 +92,10 @@ std::optional<double> readInstant(std::string_view cell) {
         seconds += cursor.fraction();
     const auto zone = readZone(cursor);
     return zone && cursor.atEnd() ? std::optional(seconds - *zone) : std::nullopt;
+}
+
+std::optional<double> readDateAndTime(std::string_view text) {
+    return InstantCursor(text).followsDate() ? readInstant(text) : std::nullopt;
 }
 
 }  // namespace noctule

@@ -2,10 +2,9 @@
 #include "core/processing/calibration_observations.h"
 
 #include <algorithm>
-#include <chrono>
-#include <cstdio>
 #include <filesystem>
 
+#include "core/import/column_text.h"
 #include "core/live/suit_decoder.h"
 #include "core/processing/pulse_shapes.h"
 #include "core/processing/sound_log.h"
@@ -28,21 +27,6 @@ Calibration bareCalibration(const Suit& suit, const Calibration& known, Detector
         bare.sources.push_back(offset);
     }
     return bare;
-}
-
-/// "2026-11-21T09:58:00Z" in seconds since 1970.
-std::optional<double> secondsOfUtc(const std::string& iso8601) {
-    int year = 0, hour = 0, minute = 0, second = 0;
-    unsigned month = 0, day = 0;
-    if (std::sscanf(iso8601.c_str(), "%4d-%2u-%2uT%2d:%2d:%2d", &year, &month, &day, &hour, &minute,
-                    &second) != 6)
-        return std::nullopt;
-    const std::chrono::year_month_day date{std::chrono::year(year), std::chrono::month(month),
-                                           std::chrono::day(day)};
-    if (!date.ok())
-        return std::nullopt;
-    const auto days = static_cast<double>(std::chrono::sys_days(date).time_since_epoch().count());
-    return 86400 * days + 3600.0 * hour + 60.0 * minute + second;
 }
 
 class Collector {
@@ -192,7 +176,7 @@ Result<Observations> readObservations(const Take& take, Detector detector, const
     all.box_serial = take.boxSerial();
     all.kind = take.header().take_kind;
     all.duration_s = static_cast<double>(in->sample_count) / rate_hz;
-    all.began_s = secondsOfUtc(take.header().created_utc);
+    all.began_s = readDateAndTime(take.header().created_utc);
     all.g_m_per_s2 = take.header().g_m_per_s2;
     all.turntable_rpm = take.header().turntable_rpm;
     all.suit = in->suit;

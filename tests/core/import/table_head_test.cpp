@@ -129,6 +129,9 @@ TEST(TableHead, InstantsAreSeconds) {
     for (const char* text : {"", "2024", "2024-13-01 00:00:00", "2024-05-01", "10:00", "10:00:00 and more",
                              "2024-05-01T25:00:00", "10:61:00", "ab:cd:ef"})
         EXPECT_FALSE(readInstant(text)) << text;
+    EXPECT_EQ(readDateAndTime("2024-05-01T00:00:01Z"), day + 1);
+    EXPECT_FALSE(readDateAndTime("10:00:00")) << "of which day?";
+    EXPECT_FALSE(readDateAndTime(""));
 }
 
 }  // namespace
