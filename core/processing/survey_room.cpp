@@ -47,19 +47,16 @@ Status addHeights(const RoomRequest& request, room_survey::Evidence& evidence) {
 Result<std::vector<size_t>> leftOut(const RoomRequest& request, const room_survey::Evidence& evidence) {
     std::set<size_t> anchors;
     for (const std::string& word : request.without) {
-        size_t number = 0;
-        const char* end = word.data() + word.size();
-        const bool is_number = std::from_chars(word.data(), end, number).ptr == end;
-        const bool is_id =
-            std::ranges::find(evidence.anchors, word, &room_survey::Anchor::id) != evidence.anchors.end();
-        if (is_number && !is_id && number >= 1 && number <= evidence.anchors.size()) {
-            anchors.insert(number - 1);
-            continue;
-        }
         const auto anchor = anchorNamed(word, "--without", evidence);
-        if (!anchor)
+        const char* end = word.data() + word.size();
+        size_t number = 0;
+        if (anchor)
+            anchors.insert(*anchor);
+        else if (std::from_chars(word.data(), end, number).ptr == end && number >= 1 &&
+                 number <= evidence.anchors.size())
+            anchors.insert(number - 1);
+        else
             return anchor.error();
-        anchors.insert(*anchor);
     }
     return std::vector<size_t>(anchors.begin(), anchors.end());
 }
@@ -206,8 +203,10 @@ Result<SurveyedTake> withoutAnchors(SurveyedTake surveyed, const std::vector<siz
     for (const auto& [b, s] : anchorParts(room)) {
         const std::string board = b >= 0 ? room.boards[static_cast<size_t>(b)].id : std::string();
         const std::string source = s >= 0 ? room.sources[static_cast<size_t>(s)].id : std::string();
-        if (is_out(b >= 0 ? board : source))
-            boards.insert(board), sources.insert(source);
+        if (!is_out(b >= 0 ? board : source))
+            continue;
+        boards.insert(board);
+        sources.insert(source);
     }
     std::erase_if(room.boards, [&](const Board& board) { return boards.contains(board.id); });
     std::erase_if(room.sources, [&](const Source& source) { return sources.contains(source.id); });
