@@ -3,6 +3,7 @@
 #include <cctype>
 #include <cstdio>
 #include <filesystem>
+#include <set>
 
 #include "app/batch/export_drive.h"
 #include "app/batch/files.h"
@@ -193,9 +194,11 @@ Status checkRequests(const Arguments& arguments, const std::vector<ExportRequest
         *arguments.number("from") > *arguments.number("to"))
         return Error{ErrorKind::kUsage, "--from lies after --to", "Give --from S before --to S"};
     const bool is_single = requests.size() == 1 || goesIntoOneFile(arguments);
-    if (Status free =
-            checkOutputs(allOutputs(arguments, requests), requests.front().overwrite,
-                         arguments.textsBut({"bvh", "fbx", "glb", "csv", "mot", "sto", "png", "video"}));
+    std::set<std::string> outputs;
+    for (const ExportFormatEntry& format : exportFormats())
+        outputs.insert(format.option);
+    if (Status free = checkOutputs(allOutputs(arguments, requests), requests.front().overwrite,
+                                   arguments.textsBut(outputs));
         !free) {
         if (is_single)
             return free;

@@ -180,11 +180,9 @@ Verb recoverVerb() {
     verb.remarks = {
         "The result is NAME_recovered.noctule beside the recording, which stays as it is with its -wal.",
         "Of a folder all recordings that broke off are recovered, also those in its takes/. One that is "
-        "being "
-        "recorded is left alone, and so are finished takes: name a damaged one.",
+        "being recorded is left alone, and so are finished takes: name a damaged one.",
         "Of a damaged one all rows that can be read are saved, and it is said how much that is. Lost rows "
-        "are "
-        "an estimate from the pages that hold them."};
+        "are an estimate from the pages that hold them."};
     verb.run = runRecover;
     return verb;
 }

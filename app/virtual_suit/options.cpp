@@ -23,8 +23,7 @@ const std::vector<batch::Option>& table() {
                       "whose box of the cast, or of a take of several; room: the one of its anchors"),
                  text("start-at", "UTC",
                       "when the cast or the take begins, as 2026-05-01T10:00:00Z, the same for all of its "
-                      "boxes; "
-                      "or now. A take without it begins at each START"),
+                      "boxes; or now. A take without it begins at each START"),
                  flag("loop",
                       "after the end go on: back through the motion and forth again, or the take "
                       "from its beginning; else silence follows"),
