@@ -92,6 +92,10 @@ public:
     }
 
     const std::string& address() const { return address_; }
+    /// Of a box on TCP.
+    uint16_t port() const {
+        return static_cast<uint16_t>(std::stoi(address_.substr(address_.rfind(':') + 1)));
+    }
     void cut() { cut_wanted_ = true; }
     /// Power off and on: it forgets that it was streaming.
     void restart() { restart_wanted_ = true; }

@@ -71,7 +71,7 @@ TEST_F(EndOfStudio, ASuitThatIsFoundIsConnectedFromTheStartPage) {
     EXPECT_TRUE(startPage().connectButton()->isVisibleTo(&startPage()));
     TestBox box({.loops = true});
     auto announced = noctule::test::testAnnouncement();
-    announced.tcp_port = static_cast<uint16_t>(std::stoi(box.address().substr(box.address().rfind(':') + 1)));
+    announced.tcp_port = box.port();
     noctule::test::Answerer answerer(announced);
     studio_->finder().start({answerer.port(), false});
     ASSERT_TRUE(waitFor([&] { return startPage().suitButtons().size() == 1; }));

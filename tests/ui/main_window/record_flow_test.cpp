@@ -47,8 +47,7 @@ protected:
         studio_->settings().setValue("record/countdown_s", 0);
         studio_->settings().setValue("record/tones", false);
         announced_ = noctule::test::testAnnouncement();
-        announced_.tcp_port =
-            static_cast<uint16_t>(std::stoi(box_.address().substr(box_.address().rfind(':') + 1)));
+        announced_.tcp_port = box_.port();
         answerer_.announce(announced_);
     }
 

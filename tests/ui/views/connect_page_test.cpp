@@ -232,17 +232,13 @@ TEST_F(ConnectPageTest, ABoxThatIsFoundHasTheFilledButton) {
     EXPECT_FALSE(page_->readiness().connectButton()->isVisible());
     TestBox box({.loops = true});
     auto announced = noctule::test::testAnnouncement();
-    announced.tcp_port = static_cast<uint16_t>(std::stoi(box.address().substr(box.address().rfind(':') + 1)));
+    announced.tcp_port = box.port();
     noctule::test::Answerer answerer(announced);
     studio_->finder().start({answerer.port(), false});
     ASSERT_TRUE(waitFor([&] { return page_->readiness().connectButton()->isVisible(); }));
     EXPECT_EQ(page_->readiness().connectButton()->text(), "Connect Blue suit");
     QTest::mouseClick(page_->readiness().connectButton(), Qt::LeftButton);
     EXPECT_TRUE(waitFor([&] { return verdict() == "Connected"; }));
-}
-
-uint16_t portOf(const TestBox& box) {
-    return static_cast<uint16_t>(std::stoi(box.address().substr(box.address().rfind(':') + 1)));
 }
 
 /// Of the box that has this serial number; null: it is not in the list.
@@ -257,7 +253,7 @@ TEST_F(ConnectPageTest, ABoxWhoseAddressAnotherOneHasIsNotConnected) {
     const TestBox box({.loops = true});
     ASSERT_TRUE(connectTo(box));
     auto gone = noctule::test::testAnnouncement("NB-000999");
-    gone.tcp_port = portOf(box);
+    gone.tcp_port = box.port();
     noctule::test::Answerer answerer(gone);
     studio_->finder().start({answerer.port(), false});
     DevicesPanel& devices = page_->devices();
@@ -272,7 +268,7 @@ TEST_F(ConnectPageTest, ABoxThatAnswersAtAnotherAddressIsTheSameSuit) {
     before.reset();
     ASSERT_TRUE(waitFor([&] { return studio_->suit().isLost(); }));
     auto announced = noctule::test::testAnnouncement();
-    announced.tcp_port = portOf(now);
+    announced.tcp_port = now.port();
     noctule::test::Answerer answerer(announced);
     studio_->finder().start({answerer.port(), false});
     DevicesPanel& devices = page_->devices();
@@ -422,7 +418,7 @@ TEST_F(ConnectPageTest, ABoxOfAnchorsIsARoomAndNobodyWearsIt) {
     EXPECT_TRUE(page_->map().showsRoom());
     EXPECT_TRUE(page_->assigning().isHidden());
     auto announced = noctule::test::testAnnouncement();
-    announced.tcp_port = portOf(box);
+    announced.tcp_port = box.port();
     noctule::test::Answerer answerer(announced);
     studio_->finder().start({answerer.port(), false});
     const auto& cards = page_->devices().cards();
