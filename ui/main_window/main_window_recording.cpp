@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the window knows of a take that is being recorded, whatever page is shown.
-#include <QMessageBox>
-#include <QPushButton>
-
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/top_bar.h"
 #include "ui/style/words.h"
 #include "ui/views/record/record_page.h"
+#include "ui/widgets/question.h"
 
 namespace noctule::ui {
 
@@ -70,17 +68,11 @@ bool MainWindow::mayStopTake() {
     if (!suits.isTakeOpen())
         return true;
     if (suits.phase() != LiveSuit::Phase::kSaving && !closes_after_take_ && !asks_nothing_) {
-        QMessageBox box(this);
-        box.setWindowTitle(tr("Close Noctule"));
-        box.setText(tr("The take is being recorded"));
-        box.setInformativeText(tr("It runs for %1. Stopped now, it is complete up to here.")
-                                   .arg(timeText(suits.recordedSeconds(), 0)));
-        QPushButton* cancel = box.addButton(tr("Cancel"), QMessageBox::RejectRole);
-        QPushButton* stop = box.addButton(tr("Stop and close"), QMessageBox::AcceptRole);
-        box.setDefaultButton(cancel);
-        box.setEscapeButton(cancel);
-        box.exec();
-        if (box.clickedButton() != stop || !mayClose())
+        const Question question{tr("Close Noctule"), tr("The take is being recorded"),
+                                tr("It runs for %1. Stopped now, it is complete up to here.")
+                                    .arg(timeText(suits.recordedSeconds(), 0)),
+                                tr("Cancel"), tr("Stop and close")};
+        if (!isAnsweredYes(question, this) || !mayClose())
             return false;
     }
     if (!suits.isTakeOpen())

@@ -6,9 +6,7 @@
 #include <QDir>
 #include <QDragEnterEvent>
 #include <QFileInfo>
-#include <QMessageBox>
 #include <QMimeData>
-#include <QPushButton>
 
 #include "core/formats/motion_document.h"
 #include "ui/main_window/main_window.h"
@@ -19,6 +17,7 @@
 #include "ui/models/recording_import.h"
 #include "ui/views/readiness_words.h"
 #include "ui/views/session/session_commands.h"
+#include "ui/widgets/question.h"
 #include "ui/widgets/step_bar.h"
 
 namespace noctule::ui {
@@ -284,17 +283,11 @@ bool MainWindow::mayClose() {
             running.append(job->title());
     if (running.isEmpty())
         return true;
-    QMessageBox box(this);
-    box.setWindowTitle(tr("Close Noctule"));
-    box.setText(tr("%n job(s) are still running", nullptr, running.size()));
-    box.setInformativeText(
-        tr("%1\n\nCancelled jobs leave their takes as they were.", "list of jobs").arg(running.join('\n')));
-    QPushButton* keep = box.addButton(tr("Go on working"), QMessageBox::RejectRole);
-    QPushButton* cancel = box.addButton(tr("Cancel jobs and close"), QMessageBox::AcceptRole);
-    box.setDefaultButton(keep);
-    box.setEscapeButton(keep);
-    box.exec();
-    return box.clickedButton() == cancel;
+    return isAnsweredYes(
+        {tr("Close Noctule"), tr("%n job(s) are still running", nullptr, running.size()),
+         tr("%1\n\nCancelled jobs leave their takes as they were.", "list of jobs").arg(running.join('\n')),
+         tr("Go on working"), tr("Cancel jobs and close")},
+        this);
 }
 
 void MainWindow::endInGoodOrder() {

@@ -2,7 +2,6 @@
 // The left dock of step Calibrate: the calibrations of the session, and files that come and go.
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QMessageBox>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -12,6 +11,7 @@
 #include "ui/widgets/card.h"
 #include "ui/widgets/label.h"
 #include "ui/widgets/problem_card.h"
+#include "ui/widgets/question.h"
 #include "ui/widgets/scroll_area.h"
 #include "ui/widgets/section_header.h"
 #include "ui/wizards/calibrate_page.h"
@@ -51,9 +51,8 @@ QWidget* CalibratePage::makeFiles() {
 void CalibratePage::chooseImport() {
     const QString path =
         QFileDialog::getOpenFileName(this, tr("Import a calibration"), {}, tr("Calibrations (*.json)"));
-    if (path.isEmpty())
-        return;
-    importFile(path);
+    if (!path.isEmpty())
+        importFile(path);
 }
 
 void CalibratePage::importFile(const QString& path) {
@@ -69,20 +68,14 @@ void CalibratePage::importFile(const QString& path) {
 
 /// Serial numbers may be wrong or the boards have moved: the operator decides.
 bool CalibratePage::mayUseAnother(const QString& name, const QString& other) {
-    QMessageBox box(window());
-    box.setWindowTitle(tr("Import a calibration"));
-    box.setText(tr("%1 was made for another suit").arg(name));
-    box.setInformativeText(
-        tr("It belongs to %1; %2 is connected. Sensors and sources differ from suit to suit: with the values "
-           "of others poses are wrong.",
-           "serial numbers")
-            .arg(other, studio_.suit().serial()));
-    QPushButton* cancel = box.addButton(tr("Cancel"), QMessageBox::RejectRole);
-    QPushButton* use = box.addButton(tr("Use it all the same"), QMessageBox::AcceptRole);
-    box.setDefaultButton(cancel);
-    box.setEscapeButton(cancel);
-    box.exec();
-    return box.clickedButton() == use;
+    return isAnsweredYes({tr("Import a calibration"), tr("%1 was made for another suit").arg(name),
+                          tr("It belongs to %1; %2 is connected. Sensors and sources differ from suit to "
+                             "suit: with the values "
+                             "of others poses are wrong.",
+                             "serial numbers")
+                              .arg(other, studio_.suit().serial()),
+                          tr("Cancel"), tr("Use it all the same")},
+                         window());
 }
 
 void CalibratePage::chooseExport() {
