@@ -5,6 +5,21 @@
 
 namespace noctule::ui {
 
+Ink inkOf(Tone tone) {
+    switch (tone) {
+        case Tone::kOk:
+            return Ink::kOk;
+        case Tone::kWarn:
+            return Ink::kWarn;
+        case Tone::kError:
+            return Ink::kError;
+        case Tone::kNeutral:
+        case Tone::kAccent:
+            break;
+    }
+    return Ink::kHint;
+}
+
 QColor colorOf(Ink ink) {
     const Tokens& tokens = Theme::get().tokens();
     switch (ink) {

@@ -13,6 +13,8 @@ enum class Ink { kValue, kLabel, kHint, kAccent, kOnAccent, kOk, kWarn, kError }
 /// State of a thing. Never by colour alone: iconOf() belongs beside it.
 enum class Tone { kNeutral, kAccent, kOk, kWarn, kError };
 
+/// Of words about a thing in this state.
+Ink inkOf(Tone tone);
 QColor colorOf(Ink ink);
 QColor colorOf(Tone tone);
 /// Surface behind a chip or card of this tone.

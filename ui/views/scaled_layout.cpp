@@ -55,6 +55,14 @@ void clearWidgets(QBoxLayout& layout, int from) {
     }
 }
 
+void clearWidgetsLater(QBoxLayout& layout) {
+    while (QLayoutItem* item = layout.takeAt(0)) {
+        item->widget()->hide();
+        item->widget()->deleteLater();
+        delete item;
+    }
+}
+
 void keepSize(QWidget& widget, int width, int height) {
     keep(widget, [&widget, width, height](const Theme& theme) {
         if (width > 0)

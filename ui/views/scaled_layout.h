@@ -17,6 +17,8 @@ QHBoxLayout* addRow(QBoxLayout* into, int spacing = 8, const QMargins& margins =
 
 /// Deletes the widgets from that one on.
 void clearWidgets(QBoxLayout& layout, int from = 0);
+/// Hides all its widgets and deletes them later: the button that was just pressed may be one of them.
+void clearWidgetsLater(QBoxLayout& layout);
 
 /// Fixed sizes; 0: free in that direction.
 void keepSize(QWidget& widget, int width, int height);

@@ -114,12 +114,7 @@ void CalibratePage::showNewer() {
 }
 
 void CalibratePage::showHistory() {
-    // The button that was pressed may be one of them.
-    while (QLayoutItem* item = history_->takeAt(0)) {
-        item->widget()->hide();
-        item->widget()->deleteLater();
-        delete item;
-    }
+    clearWidgetsLater(*history_);
     use_.clear();
     const CalibrationShelf& shelf = studio_.calibrations();
     for (const ShelvedCalibration& one : shelf.all()) {

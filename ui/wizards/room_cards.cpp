@@ -45,19 +45,6 @@ QString countOf(const RoomSurvey& survey, SurveyStage stage) {
     return list.join(", ");
 }
 
-Ink inkFor(Tone tone) {
-    switch (tone) {
-        case Tone::kOk:
-            return Ink::kOk;
-        case Tone::kWarn:
-            return Ink::kWarn;
-        case Tone::kError:
-            return Ink::kError;
-        default:
-            return Ink::kHint;
-    }
-}
-
 Button* choiceButton(size_t index, bool is_out, const AnchorChoice& choice) {
     const QString number = QString::number(index + 1);
     Button* button =
@@ -82,7 +69,7 @@ Card* anchorCard(const RoomSurvey& survey, size_t index, SurveyStage stage, cons
                               Ink::kValue, true));
     head->addWidget(new Label(QString::fromStdString(anchor.id), TextRole::kSecondary, Ink::kHint));
     head->addStretch();
-    const Ink ink = inkFor(state.tone);
+    const Ink ink = inkOf(state.tone);
     head->addWidget(new IconLabel(iconOf(state.tone), [ink] { return colorOf(ink); }));
     head->addWidget(new Label(state.words, TextRole::kSecondary, ink, true));
     auto* numbers = addRow(column, 8);

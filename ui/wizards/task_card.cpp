@@ -35,10 +35,7 @@ TaskCard::TaskCard(const WizardWords& words, QWidget* parent)
 
 void TaskCard::setState(Tone tone, const QString& state) {
     state_->setText(state);
-    state_->setInk(tone == Tone::kOk      ? Ink::kOk
-                   : tone == Tone::kWarn  ? Ink::kWarn
-                   : tone == Tone::kError ? Ink::kError
-                                          : Ink::kHint);
+    state_->setInk(inkOf(tone));
     state_icon_->setIcon(tone == Tone::kNeutral ? QStringLiteral("info") : iconOf(tone),
                          [tone] { return tone == Tone::kNeutral ? colorOf(Ink::kHint) : colorOf(tone); });
 }

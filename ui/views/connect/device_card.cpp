@@ -27,19 +27,6 @@ QColor suitColour(int index) {
     return index < 0 ? tokens.t2 : colours[static_cast<size_t>(index) % colours.size()];
 }
 
-Ink inkOf(Tone tone) {
-    switch (tone) {
-        case Tone::kOk:
-            return Ink::kOk;
-        case Tone::kWarn:
-            return Ink::kWarn;
-        case Tone::kError:
-            return Ink::kError;
-        default:
-            return Ink::kHint;
-    }
-}
-
 }  // namespace
 
 DeviceCard::DeviceCard(QWidget* parent)

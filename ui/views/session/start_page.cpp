@@ -146,11 +146,7 @@ Button* StartPage::addSuitCard(const QString& name, const QString& detail, const
 }
 
 void StartPage::showSuitsFound() {
-    while (QLayoutItem* item = suit_cards_->takeAt(0)) {
-        item->widget()->hide();
-        item->widget()->deleteLater();
-        delete item;
-    }
+    clearWidgetsLater(*suit_cards_);
     suit_buttons_.clear();
     const auto hello = studio_.suit().status()->hello;
     const bool connected = studio_.suit().phase() != LiveSuit::Phase::kNone;
@@ -275,11 +271,7 @@ void StartPage::askForPictures() {
 }
 
 void StartPage::showInterrupted() {
-    while (QLayoutItem* item = cards_->takeAt(0)) {
-        item->widget()->hide();
-        item->widget()->deleteLater();
-        delete item;
-    }
+    clearWidgetsLater(*cards_);
     constexpr int kMost = 3;
     for (const RecentSession& session : recent_.all())
         if (cards_->count() < kMost && !dismissed_.contains(session.folder))
