@@ -30,7 +30,7 @@ void addStrangers(const Parts& parts, const Calibrations& calibrations, QStringL
                 strangers.append(QString::fromStdString(part.id));
 }
 
-/// The first serial number of the calibration that is not this one.
+/// The first serial number that the calibration names and that is not `other_than`.
 QString nameOfOwner(const Calibration& calibration, const QString& other_than) {
     QStringList serials{QString::fromStdString(calibration.box_serial)};
     for (const BoardCalibration& board : calibration.boards)
@@ -42,7 +42,7 @@ QString nameOfOwner(const Calibration& calibration, const QString& other_than) {
     return serials.value(0);
 }
 
-/// Of what the suit itself brought: box and parts can only be its own.
+/// Adds the suit's serial numbers to the calibration that it brought itself, where none is stated.
 void nameSuit(Calibration& calibration, const LiveSuit& suit) {
     if (calibration.box_serial.empty())
         calibration.box_serial = suit.serial().toStdString();
@@ -124,8 +124,9 @@ bool CalibrationShelf::isInForce(const ShelvedCalibration& shelved) const {
 
 void CalibrationShelf::follow() {
     if (folder() == folder_ && fileInForce() == in_force_) {
-        if (files() != files_) {  // of another suit of the session, or of none
-            read();
+        // Another suit of the session has saved one, or somebody put one there.
+        if (const QStringList found = files(); found != files_) {
+            read(found);
             emit changed();
         }
         if (is_beside_)
@@ -136,7 +137,7 @@ void CalibrationShelf::follow() {
     const QString before = std::exchange(in_force_, fileInForce());
     folder_ = folder();
     emit replaced();
-    read();
+    read(files());
     if (is_same_session)
         noteWhatWasTakenBack(before);
     else
@@ -163,9 +164,9 @@ QStringList CalibrationShelf::files() const {
     return files;
 }
 
-void CalibrationShelf::read() {
+void CalibrationShelf::read(const QStringList& files) {
     all_.clear();
-    files_ = files();
+    files_ = files;
     if (folder_.isEmpty())
         return;
     for (const QString& file : files_) {
@@ -241,12 +242,12 @@ void CalibrationShelf::warnOfStrangers(const Calibration& calibration) {
         emit warned(tr("The calibration %1 was made with other parts than those connected now: %2. Calibrate "
                        "those before takes with them can be relied on.")
                         .arg(in_force_, others.join(", ")));
-    else if (ownerOf(calibration) == CalibrationOwner::kAnotherSuit)
+    else if (const QString other = otherSuitOf(calibration); !other.isEmpty())
         emit warned(
             tr("The calibration %1 was made for another suit, %2. Calibrate %3 before takes with it can be "
                "relied on.",
                "file, serial numbers")
-                .arg(in_force_, QString::fromStdString(calibration.box_serial), suit_.serial()));
+                .arg(in_force_, other, suit_.serial()));
 }
 
 void CalibrationShelf::recall() {

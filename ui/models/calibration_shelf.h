@@ -48,8 +48,8 @@ public:
     QStringList strangers(const Calibration& calibration) const;
     /// Another suit's takes are made with it, or its serial numbers are another suit's (ownerOf).
     bool isOfAnotherSuit(const ShelvedCalibration& shelved) const;
-    /// The same of a file that is to be imported: its box, else one of its parts. Empty: it may be
-    /// this suit's.
+    /// Serial number of the other suit that the calibration belongs to: of its box, else of a part. Empty: it
+    /// may be this suit's. `path`: of a file that is to be imported.
     QString otherSuitOf(const QString& path) const;
     QString otherSuitOf(const Calibration& calibration) const;
 
@@ -82,8 +82,8 @@ signals:
 private:
     void keepMeasures(const Actor& actor, const QString& what);
     void follow();
-    void read();
-    /// Of calibrations in the folder, by name.
+    void read(const QStringList& files);
+    /// Names of the calibration files in the folder, sorted.
     QStringList files() const;
     void noteWhatWasTakenBack(const QString& before);
     void hand();
@@ -101,7 +101,7 @@ private:
     std::vector<ShelvedCalibration> all_;
     std::vector<Calibration> taken_back_;  ///< in this session
     QString folder_, in_force_;
-    QStringList files_;              ///< that were read
+    QStringList files_;              ///< files() when they were read
     std::optional<QString> handed_;  ///< to the suit that is connected
     const SuitMemory memory_;
     std::optional<Calibration> remembered_, newer_;

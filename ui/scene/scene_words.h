@@ -29,7 +29,7 @@ QString figureDescription(const FigureScene& figure);
 QString whyEmpty(ReviewContext& review);
 QString whyEmpty(const LiveScene& live);
 
-/// Of who was lost while the rest pose was held: "Bea was lost at 0:02, before the rest pose ended".
+/// A performer was lost while the rest pose was held: "Bea was lost at 0:02, before the rest pose ended".
 struct LostWords {
     QString what, consequence;
 };

@@ -46,7 +46,7 @@ QString resultTitle(const std::string& take_path, const std::string& run, const 
     return QString::fromStdString(run);
 }
 
-/// Of an error about one of them: errors begin with the file that they are about. Null: it is of none.
+/// The take that is damaged, by the file's name with which the error begins. Null: none of them is.
 const ExportJob* damagedOf(std::span<const ExportJob> takes, const Error& error) {
     const auto found = std::ranges::find_if(takes, [&](const ExportJob& take) {
         return error.message.starts_with(take.request.take_path + ":");
@@ -54,7 +54,7 @@ const ExportJob* damagedOf(std::span<const ExportJob> takes, const Error& error)
     return error.is_damage && found != takes.end() ? &*found : nullptr;
 }
 
-/// Of a file that could not be written.
+/// The outcome of a file that could not be written.
 ExportOutcome failedOutcome(std::span<const ExportJob> takes, const Error& error) {
     const ExportJob& first = takes.front();
     const ExportJob* damaged = damagedOf(takes, error);
@@ -94,7 +94,7 @@ std::vector<ExportOutcome> writeAndCheck(std::span<const ExportJob> takes, const
     return outcomes;
 }
 
-/// A file for one of several people, whose name says of whom it is.
+/// `path`, or one with a number behind its name where a file is there or the name is in `taken`.
 std::string freePathOf(const std::string& path, ExportFormat format, std::set<std::string>& taken) {
     const std::filesystem::path named(path);
     return freeFilePath(named.parent_path().string(), named.stem().string(), entryOf(format).extension,
