@@ -14,10 +14,9 @@
 #include <QMenu>
 #include <QPlainTextEdit>
 #include <QPushButton>
-#include <QSettings>
 #include <memory>
 
-#include "ui/language/language.h"
+#include "tests/ui/support/speak.h"
 
 namespace noctule::ui {
 namespace {
@@ -30,15 +29,10 @@ protected:
             ASSERT_TRUE(QFile::exists(folder + '/' + name))
                 << "cannot run: " << folder.toStdString() << " has no " << name
                 << ". Install qttranslations5-l10n; packaging/dependencies.sh does.";
-        speak("de");
+        test::speak("de");
     }
-    void TearDown() override { speak("en"); }
+    void TearDown() override { test::speak("en"); }
 
-    static void speak(const char* code) {
-        QSettings settings;
-        chooseLanguage(settings, code);
-        applyLanguage(settings);
-    }
     static QStringList textsOf(const QMenu& menu) {
         QStringList texts;
         for (const QAction* action : menu.actions())
@@ -100,7 +94,7 @@ TEST_F(QtWords, WhyALinkFailedIsGerman) {
 }
 
 TEST_F(QtWords, AreEnglishAgainAfterwards) {
-    speak("en");
+    test::speak("en");
     const QDialogButtonBox box(QDialogButtonBox::Cancel);
     EXPECT_EQ(QString(box.buttons().first()->text()).remove('&'), "Cancel");
 }

@@ -5,8 +5,8 @@
 
 #include "tests/devices/support/answerer.h"
 #include "tests/devices/support/test_box.h"
+#include "tests/ui/support/speak.h"
 #include "tests/ui/support/wait.h"
-#include "ui/language/language.h"
 
 namespace noctule::ui {
 namespace {
@@ -59,13 +59,11 @@ TEST_F(SuitFinderTest, TheNameThatABoxGivesItselfIsInTheLanguageOfTheStudio) {
     KnownSuit named = suit;
     named.name = "Suit of Ada";
     EXPECT_EQ(suit.shownName(), "Suit NB-000777");
-    chooseLanguage(settings_, "de");
-    applyLanguage(settings_);
+    test::speak("de");
     EXPECT_EQ(suit.shownName(), "Anzug NB-000777");
     EXPECT_EQ(named.shownName(), "Suit of Ada") << "as the operator calls it";
     EXPECT_EQ(KnownSuit{}.shownName(), "");
-    chooseLanguage(settings_, "en");
-    applyLanguage(settings_);
+    test::speak("en");
 }
 
 TEST_F(SuitFinderTest, OneThatWasConnectedIsShownWhenItIsAway) {

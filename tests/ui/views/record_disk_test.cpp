@@ -44,7 +44,7 @@ TEST_F(RecordDisk, ATakeThatEndedBeforeAnythingWasRecordedIsRemoved) {
             part.sample_rate_hz = 150000;
             part.stream.recording = recorded;
         }
-        EXPECT_FALSE(endOfTake(parts, true).is_empty) << "the operator ended it";
+        EXPECT_FALSE(endOfTake(parts, false).is_empty) << "the operator ended it";
         RecorderState& last = *parts.back().stream.recording;
         last.trouble = Error{ErrorKind::kDisk, "The disk is full", "Free some space"};
         parts.front().stream.recording->samples = 30000;

@@ -4,9 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <QSettings>
-
-#include "ui/language/language.h"
+#include "tests/ui/support/speak.h"
 
 namespace noctule::ui {
 namespace {
@@ -14,12 +12,9 @@ namespace {
 TEST(TakeNotes, WhatTheBoxSaysIsInTheLanguageOfTheStudio) {
     TakeOverview take;
     take.notes = {{"", "0:06.4 Driver box: the link is too slow, sound was dropped"}};
-    QSettings settings;
-    chooseLanguage(settings, "de");
-    applyLanguage(settings);
+    test::speak("de");
     const QString german = takeNoteLines(take).value(0);
-    chooseLanguage(settings, "en");
-    applyLanguage(settings);
+    test::speak("en");
     EXPECT_TRUE(german.contains("Steuerbox: die Verbindung ist zu langsam, Ton ging verloren"))
         << german.toStdString();
 }
