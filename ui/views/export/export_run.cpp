@@ -210,13 +210,14 @@ QStringList fileNames(const std::vector<ExportJob>& jobs, int most, PerformerNam
     for (const ExportJob& job : jobs) {
         if (names.size() >= most)
             break;
-        if (job.in_one_file || performers.of(job.request).size() < 2) {
-            names += fileName(job.path());
-            names.removeDuplicates();
-            continue;
+        const std::vector<std::string> people =
+            job.in_one_file ? std::vector<std::string>() : performers.of(job.request);
+        if (people.size() > 1) {
+            for (const std::string& person : people)
+                names += fileName(freePathOf(pathOfSubject(job.path(), person), job.format, taken));
+        } else if (const QString name = fileName(job.path()); !names.contains(name)) {
+            names += name;
         }
-        for (const std::string& performer : performers.of(job.request))
-            names += fileName(freePathOf(pathOfSubject(job.path(), performer), job.format, taken));
     }
     return names.mid(0, most);
 }
