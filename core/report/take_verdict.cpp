@@ -213,7 +213,7 @@ private:
             verdict_.lossy_boards.begin(), verdict_.lossy_boards.end(),
             [](const VerdictBoard& a, const VerdictBoard& b) { return a.lost_share > b.lost_share; });
         const auto& lossy = verdict_.lossy_boards;
-        verdict_.lost_together = lossy.size() > 1 && lossy.size() == report_.boards.size() &&
+        verdict_.lost_together = lossy.size() > 2 && lossy.size() == report_.boards.size() &&
                                  lossy.front().lost_share - lossy.back().lost_share < kLostTogether;
         // One dead board costs one segment; when most boards lose much, it is the link.
         const auto many = static_cast<size_t>(

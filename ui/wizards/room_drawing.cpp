@@ -215,6 +215,10 @@ void RoomDrawing::paintAnchor(QPainter& painter, const Scale& scale, size_t inde
     painter.setFont(theme.font(TextRole::kCaption, true));
     painter.setPen(color);
     painter.drawText(box, Qt::AlignCenter, QString::number(index + 1));
+    if (anchor.left_out && from_ == From::kFront) {  // the plan says so; here its words would cover heights
+        painter.setOpacity(1);
+        return;
+    }
     const QString words = anchor.left_out ? stateOf(anchor).words
                           : from_ == From::kAbove
                               ? QStringLiteral("±%1").arg(millimetresText(anchor.sigma_m, 0))

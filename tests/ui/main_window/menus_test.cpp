@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <QMenu>
 #include <QMenuBar>
+#include <QPushButton>
+#include <QToolButton>
 
 #include "tests/ui/main_window/studio_fixture.h"
 #include "ui/main_window/top_bar.h"
@@ -34,22 +36,40 @@ protected:
             for (QAction* title : window_->topBar().menuBar().actions())
                 openAll(*title->menu());
             EXPECT_GE(opened_, 7) << "File, its recent sessions, Edit, View, Suit, Take, Help";
+            openMenusOf<QToolButton>();
+            openMenusOf<QPushButton>();
         }
+    }
+
+    /// Buttons of the page and its docks.
+    template <class Button>
+    void openMenusOf() {
+        for (const Button* button : window_->findChildren<Button*>())
+            if (button->isVisible() && button->menu())
+                openAll(*button->menu());
+    }
+
+    void inEveryLook() {
+        for (const double scale : {1.0, 1.5})
+            for (const Scheme scheme : {Scheme::kDark, Scheme::kLight}) {
+                Theme::get().setScale(scale);
+                Theme::get().setScheme(scheme);
+                openAllOnEveryPage();
+            }
+        Theme::get().setScale(1);
+        Theme::get().setScheme(Scheme::kDark);
     }
 
     int opened_ = 0;
 };
 
 TEST_F(MenusTest, EveryMenuOpensOnEveryPageWithoutASession) {
-    for (const Scheme scheme : {Scheme::kDark, Scheme::kLight}) {
-        Theme::get().setScheme(scheme);
-        openAllOnEveryPage();
-    }
+    inEveryLook();
 }
 
 TEST_F(MenusTest, EveryMenuOpensOnEveryPageWithATake) {
     openSampleTake();
-    openAllOnEveryPage();
+    inEveryLook();
 }
 
 }  // namespace

@@ -44,6 +44,18 @@ protected:
             return page().room().run().phase() != RoomRun::Phase::kSurveying && studio_->jobs().idle();
         }));
     }
+    void leaveOutAnAnchor() {
+        const auto without = [this](bool left_out) -> Button* {
+            for (auto* button : window_->findChildren<Button*>())
+                if (button->text() ==
+                    RoomPage::tr(left_out ? "Use anchor %1 again" : "Use without anchor %1").arg(2))
+                    return button;
+            return nullptr;
+        };
+        ASSERT_NE(without(false), nullptr);
+        without(false)->click();
+        ASSERT_TRUE(waitFor([&] { return without(true) != nullptr; }));
+    }
     void lookAt(const QString& what) {
         inEveryLook([&](const QString& look) {
             for (const QSize size : {QSize(1280, 800), QSize(1920, 1080)}) {
@@ -70,6 +82,8 @@ TEST_P(RoomLook, IsWholeAndInOneLanguage) {
     survey();
     ASSERT_EQ(page().room().run().phase(), RoomRun::Phase::kResult);
     lookAt("room");
+    leaveOutAnAnchor();
+    lookAt("room without an anchor");
     open("short_001", "3.2");  // the rest pose and hardly more
     survey();
     lookAt("room of a short take");
