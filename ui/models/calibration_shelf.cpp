@@ -126,7 +126,10 @@ void CalibrationShelf::follow() {
     if (folder() == folder_ && fileInForce() == in_force_) {
         // Another suit of the session has saved one, or somebody put one there.
         if (const QStringList found = files(); found != files_) {
+            const bool was_there = isInForceThere();
             read(found);
+            if (was_there)
+                warnIfGone();
             emit changed();
         }
         if (is_beside_)
@@ -138,6 +141,7 @@ void CalibrationShelf::follow() {
     folder_ = folder();
     emit replaced();
     read(files());
+    warnIfGone();
     if (is_same_session)
         noteWhatWasTakenBack(before);
     else
@@ -173,14 +177,21 @@ void CalibrationShelf::read(const QStringList& files) {
         if (auto calibration = readCalibrationFile(pathIn(folder_, file)))
             all_.push_back({file, std::move(*calibration)});
     }
-    if (!in_force_.isEmpty() && std::ranges::find(all_, in_force_, &ShelvedCalibration::file) == all_.end())
+    std::ranges::stable_sort(all_, std::greater(), [](const ShelvedCalibration& shelved) {
+        return std::make_pair(shelved.calibration.created_utc, shelved.file);
+    });
+}
+
+bool CalibrationShelf::isInForceThere() const {
+    return in_force_.isEmpty() || std::ranges::find(all_, in_force_, &ShelvedCalibration::file) != all_.end();
+}
+
+void CalibrationShelf::warnIfGone() {
+    if (!folder_.isEmpty() && !isInForceThere())
         emit warned(
             tr("The calibration %1 of this session is gone or damaged. Takes are made with what the suit "
                "knows of itself; choose another one in step Calibrate.")
                 .arg(in_force_));
-    std::ranges::stable_sort(all_, std::greater(), [](const ShelvedCalibration& shelved) {
-        return std::make_pair(shelved.calibration.created_utc, shelved.file);
-    });
 }
 
 QStringList CalibrationShelf::strangers(const Calibration& calibration) const {

@@ -83,6 +83,9 @@ private:
     void keepMeasures(const Actor& actor, const QString& what);
     void follow();
     void read(const QStringList& files);
+    /// The file that the session names was read, or it names none.
+    bool isInForceThere() const;
+    void warnIfGone();
     /// Names of the calibration files in the folder, sorted.
     QStringList files() const;
     void noteWhatWasTakenBack(const QString& before);

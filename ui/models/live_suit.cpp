@@ -81,7 +81,8 @@ void LiveSuit::connectTo(const QString& address, const KnownWearing& known) {
     own_ = known.calibration;
     is_own_ = true;
     live_ = std::make_shared<LiveSession>(std::move(*device));
-    live_->connect();
+    if (closing_ == 0)
+        live_->connect();
     looks_ = 0;
     timer_.start();
     setPhase(Phase::kConnecting);
@@ -101,9 +102,11 @@ void LiveSuit::disconnectSuit() {
     }
 }
 
-/// Closing a device may take a while: a job does it.
+/// Closing a device may take a while: a job does it. A box serves one studio at a time: the next connection
+/// waits for it.
 void LiveSuit::release() {
     ++connection_;
+    ++closing_;
     timer_.stop();
     lone_timer_.stop();
     endBlinking();
@@ -113,7 +116,12 @@ void LiveSuit::release() {
             live.reset();
             return Done{};
         },
-        [](Result<Done>) { return QString(); }, Jobs::Loudness::kQuiet);
+        [self = QPointer(this)](const Result<Done>&) {
+            if (self && --self->closing_ == 0 && self->live_)
+                self->live_->connect();
+            return QString();
+        },
+        Jobs::Loudness::kQuiet);
     live_.reset();
     working_ = is_lent_ = look_again_ = stop_wanted_ = leave_wanted_ = told_ = sources_set_ = false;
     next_take_.reset();

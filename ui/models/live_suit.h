@@ -191,6 +191,7 @@ private:
     std::shared_ptr<PoseTap> pose_tap_ = std::make_shared<PoseTap>();  ///< of streams that still end, too
     std::shared_ptr<LiveSession> live_;
     int connection_ = 0;  ///< what jobs of an earlier one bring is void
+    int closing_ = 0;     ///< earlier ones that jobs still close
     QString address_, next_address_;
     QString box_;  ///< serial number of the one that was connected there
     Phase phase_ = Phase::kNone;

@@ -2,6 +2,10 @@
 // What failed is told until it is tried anew, succeeds, or another one is there.
 #include "ui/main_window/notices.h"
 
+#include <QDir>
+#include <QSignalSpy>
+
+#include "core/suit/default_suit.h"
 #include "tests/devices/support/test_box.h"
 #include "tests/ui/main_window/studio_fixture.h"
 #include "ui/main_window/status_line.h"
@@ -92,6 +96,17 @@ TEST_F(NoticesTest, ACalibrationThatIsGoneIsToldWhileItIsInForce) {
     };
     studio_->session().setCalibration("gone.json", "Going back to gone");
     EXPECT_TRUE(become(gone)) << told().join(", ").toStdString();
+    const QSignalSpy warned(&studio_->calibrations(), &CalibrationShelf::warned);
+    const QDir calibrations(
+        QString::fromStdString(studio_->session().session().calibrationFolder().string()));
+    ASSERT_TRUE(calibrations.mkpath("."));
+    const std::string another = toJson(nominalCalibration(defaultSuit())).dump();
+    QFile file(calibrations.filePath("another.json"));
+    ASSERT_TRUE(file.open(QFile::WriteOnly) && file.write(another.c_str()) > 0);
+    file.close();
+    emit studio_->session().changed();
+    EXPECT_EQ(studio_->calibrations().all().size(), 1u) << "it came from outside";
+    EXPECT_EQ(warned.count(), 0) << "that was told";
     studio_->session().undoStack().undo();
     EXPECT_TRUE(become({}));
     studio_->session().undoStack().redo();

@@ -46,6 +46,7 @@ protected:
         return false;
     }
 
+    const QString kMoved = "Something has moved since the calibration";
     const Take tiny_ = std::move(Take::open(noctule::test::kTinyTake).value());
 };
 
@@ -66,13 +67,16 @@ TEST_F(RecordFit, PartOfACalibrationIsNotRecordingWell) {
 
 TEST_F(RecordFit, AFailedCheckIsNotRecordingWell) {
     TestBox box({.loops = true});
-    record(box, tiny_.calibrationInForce()->value);
+    const Calibration calibration = tiny_.calibrationInForce()->value;
+    record(box, calibration);
     studio_->setChecked(CheckedSuit{QDateTime::currentDateTime(), false});
+    EXPECT_FALSE(titles().contains(kMoved)) << "what came with the suit is exact: nothing can have moved";
+    studio_->suit().setCalibration(calibration);
+    EXPECT_TRUE(waitFor([this] { return titles().contains(kMoved); })) << titles().join(", ").toStdString();
     // A box that finds no core is a problem, too, which comes first.
-    EXPECT_TRUE(waitFor([this] {
-        const QString verdict = page_->readiness().verdict();
-        return verdict == "Recording, though something has moved" || verdict == "Recording, with problems";
-    })) << page_->readiness().verdict().toStdString();
+    const QString verdict = page_->readiness().verdict();
+    EXPECT_TRUE(verdict == "Recording, though something has moved" || verdict == "Recording, with problems")
+        << verdict.toStdString();
     EXPECT_GE(page_->readiness().problems().worst(), Tone::kWarn);
     stop();
 }
