@@ -6,7 +6,6 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QHBoxLayout>
-#include <QScreen>
 #include <QSpinBox>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -14,6 +13,7 @@
 
 #include "ui/language/language.h"
 #include "ui/main_window/look.h"
+#include "ui/main_window/window_place.h"
 #include "ui/models/voice.h"
 #include "ui/style/theme.h"
 #include "ui/views/scaled_layout.h"
@@ -64,9 +64,15 @@ PreferencesDialog::PreferencesDialog(Studio& studio, QWidget* parent) : QDialog(
     fit();
 }
 
+/// No larger than the window it belongs to; grown, it stays on the screen.
 void PreferencesDialog::fit() {
-    const QSize room = screen()->availableGeometry().size() - QSize(0, Theme::get().px(kAboveDialog));
-    resize(QSize(Theme::get().px(560), Theme::get().px(740)).boundedTo(room));
+    QSize wanted(Theme::get().px(560), Theme::get().px(740));
+    if (parentWidget())
+        wanted = wanted.boundedTo(parentWidget()->window()->size() - QSize(0, kAboveDialog));
+    const QRect place = placeWithin({pos(), wanted}, freeRoom(*this)).content;
+    resize(place.size());
+    if (isVisible())
+        move(place.topLeft());
 }
 
 void PreferencesDialog::addLook(QVBoxLayout& column) {

@@ -36,6 +36,9 @@ PlotPanel::PlotPanel(ReviewContext& review, QWidget* parent)
     scroll_->setWidgetResizable(true);
     scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll_->setFrameShape(QFrame::NoFrame);
+    const auto keepALane = [this] { scroll_->setMinimumHeight(Theme::get().px(PlotLane::kLeastHeight)); };
+    keepALane();
+    connect(&Theme::get(), &Theme::changed, this, keepALane);
     connect(scroll_->verticalScrollBar(), &QScrollBar::rangeChanged, this, [this](int least, int most) {
         stack_->setScrollBarWidth(most > least ? scroll_->verticalScrollBar()->sizeHint().width() : 0);
     });

@@ -100,27 +100,18 @@ void paintRayLegend(QPainter& painter, const QRectF& area) {
     painter.drawText(numbers, Qt::AlignRight | Qt::AlignVCenter, numberText(1, 0));
 }
 
-/// Beside the thing, on the side with room, and wholly within the area.
-QRectF calloutBox(const QRectF& area, const QPointF& at, double clear_px, const QSizeF& size) {
-    const double away = px(clear_px + 50);
-    const bool right = at.x() + away + size.width() + px(8) < area.right();
-    QRectF box(
-        QPointF(right ? at.x() + away : at.x() - away - size.width(), at.y() - px(24) - size.height() / 2),
-        size);
-    box.moveLeft(std::clamp(box.left(), area.left() + px(8),
-                            std::max(area.left() + px(8), area.right() - size.width() - px(8))));
-    box.moveTop(std::clamp(box.top(), area.top() + px(52),
-                           std::max(area.top() + px(52), area.bottom() - size.height() - px(8))));
-    return box;
-}
-
-QRectF calloutBox(const QRectF& area, const SceneCallout& callout) {
-    const Theme& theme = Theme::get();
-    const QFontMetricsF title(theme.font(TextRole::kSecondary, true)), detail(theme.font(TextRole::kCaption));
-    const double line = title.height() + (callout.detail.isEmpty() ? 0 : detail.height() + px(2));
-    const double width =
-        std::max(title.horizontalAdvance(callout.title), detail.horizontalAdvance(callout.detail));
-    return calloutBox(area, callout.at, callout.clear_px, QSizeF(width + px(20), line + px(12)));
+/// How far a body reaches to both sides of `at` where a box between these heights would stand on it.
+std::pair<double, double> reachOf(const std::vector<QPointF>& bodies, const QPointF& at, double top,
+                                  double bottom) {
+    constexpr double kFlesh = 0.06;  // around bones, of the larger extent of the body
+    QPolygonF all(QVector<QPointF>(bodies.begin(), bodies.end()));
+    const QSizeF size = all.boundingRect().size();
+    const double flesh = kFlesh * std::max(size.width(), size.height());
+    std::pair<double, double> reach{at.x(), at.x()};
+    for (const QPointF& p : bodies)
+        if (p.y() > top - flesh && p.y() < bottom + flesh)
+            reach = {std::min(reach.first, p.x() - flesh), std::max(reach.second, p.x() + flesh)};
+    return reach;
 }
 
 /// In a view that is hardly wider than its body a box would stand on it: the words stand below the feet.
@@ -152,7 +143,7 @@ void paintCallout(QPainter& painter, const QRectF& area, const SceneCallout& cal
     const Tokens& tokens = theme.tokens();
     const QFont title_font = theme.font(TextRole::kSecondary, true),
                 detail_font = theme.font(TextRole::kCaption);
-    const QRectF box = calloutBox(area, callout);
+    const QRectF box = SceneOverlay::calloutBox(area, callout);
     const bool right = box.center().x() > callout.at.x();
     const QPointF knee(right ? box.left() : box.right(), box.center().y());
     const QPointF toward = knee - callout.at;
@@ -191,7 +182,7 @@ std::vector<QRectF> occupiedAreas(const QRectF& area, const OverlayContent& cont
     for (const SceneTag& tag : content.tags)
         boxes.push_back(around(tag.at, px(9)));
     if (content.callout)
-        boxes.push_back(calloutBox(area, *content.callout));
+        boxes.push_back(SceneOverlay::calloutBox(area, *content.callout));
     const double legends = px(14) + px(20) * static_cast<double>(content.legends.size());
     if (!content.legends.empty())
         boxes.emplace_back(area.left(), area.bottom() - legends, px(220), legends);
@@ -224,7 +215,8 @@ bool sameContent(const OverlayContent& a, const OverlayContent& b) {
         return x.text == y.text && x.outline == y.outline;
     };
     const auto sameCallout = [](const SceneCallout& x, const SceneCallout& y) {
-        return x.at == y.at && x.title == y.title && x.detail == y.detail && x.clear_px == y.clear_px;
+        return x.at == y.at && x.title == y.title && x.detail == y.detail && x.clear_px == y.clear_px &&
+               x.bodies == y.bodies;
     };
     const auto sameTag = [](const SceneTag& x, const SceneTag& y) {
         return x.performer == y.performer && x.at == y.at;
@@ -279,6 +271,26 @@ std::optional<QRectF> SceneOverlay::distanceBox(const QRectF& area, const Overla
             return moved;
     }
     return std::nullopt;
+}
+
+QRectF SceneOverlay::calloutBox(const QRectF& area, const SceneCallout& callout) {
+    const Theme& theme = Theme::get();
+    const QFontMetricsF title(theme.font(TextRole::kSecondary, true)), detail(theme.font(TextRole::kCaption));
+    const double line = title.height() + (callout.detail.isEmpty() ? 0 : detail.height() + px(2));
+    const double width =
+        std::max(title.horizontalAdvance(callout.title), detail.horizontalAdvance(callout.detail));
+    QRectF box(0, 0, width + px(20), line + px(12));
+    const double away = px(callout.clear_px + 50), edge = px(8), highest = area.top() + px(52);
+    box.moveTop(std::clamp(callout.at.y() - px(24) - box.height() / 2, highest,
+                           std::max(highest, area.bottom() - box.height() - edge)));
+    const auto [from, to] = reachOf(callout.bodies, callout.at, box.top(), box.bottom());
+    const double right = std::max(callout.at.x() + away, to);
+    const double left = std::min(callout.at.x() - away, from) - box.width();
+    const double rightmost = area.right() - box.width() - edge, leftmost = area.left() + edge;
+    // The right side first; without room on either, the side that has more of it.
+    const bool goes_right = right < rightmost || (left <= leftmost && rightmost - right > left - leftmost);
+    box.moveLeft(std::clamp(goes_right ? right : left, leftmost, std::max(leftmost, rightmost)));
+    return box;
 }
 
 void SceneOverlay::paint(QPainter& painter, const QRectF& area, const OverlayContent& content) {

@@ -19,7 +19,8 @@ struct SceneLegend {
 struct SceneCallout {
     QPointF at;  ///< of the thing, in the widget's pixels
     QString title, detail;
-    double clear_px = 13;  ///< radius around the thing, at 100 percent, that stays free
+    double clear_px = 13;           ///< radius around the thing, at 100 percent, that stays free
+    std::vector<QPointF> bodies{};  ///< along the bones of the shown and the compared body: stays free too
 };
 
 /// Who somebody is, on a disc over the head.
@@ -58,6 +59,8 @@ public:
     /// Where the distance stands, clear of everything else that is written; empty where it finds no room, and
     /// in a narrow view, where it is a line below the body.
     static std::optional<QRectF> distanceBox(const QRectF& area, const OverlayContent& content);
+    /// Where the callout stands: at the height of its thing, beside the bodies, and wholly within the area.
+    static QRectF calloutBox(const QRectF& area, const SceneCallout& callout);
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -283,10 +283,16 @@ void SceneView::updateOverlay(quint64 number) {
             content.distance =
                 SceneDistance{*from, *floor, distanceInWords(*distance), pairOfDistance(*distance)};
     const auto on_screen = at ? place(*at) : std::nullopt;
-    if (content.callout && on_screen)
+    if (content.callout && on_screen) {
         content.callout->at = *on_screen;
-    else
+        for (const auto* bones : {&parts.composed.places.bones, &parts.composed.ghost_bones})
+            for (const BonePlace& bone : *bones)
+                for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0})
+                    if (const auto p = place((1 - part) * bone.from_m + part * bone.to_m))
+                        content.callout->bodies.push_back(*p);
+    } else {
         content.callout.reset();
+    }
     parts.overlay->setContent(std::move(content));
     updateMessage();
 }

@@ -153,6 +153,7 @@ void TakeScene::addCompared(ComposedScene& composed, const SceneColors& colors, 
     addGhost(composed.scene, colors, compared_.body.fit(look, compared_.motion->skeleton, compared_.feet),
              *pose, look.blending);
     composed.has_ghost = true;
+    composed.ghost_bones = placeBody(compared_.motion->skeleton, *pose, Suit(), nullptr).bones;
 }
 
 void TakeScene::addDistance(ComposedScene& composed, int other, const Skeleton& skeleton,

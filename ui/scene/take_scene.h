@@ -21,6 +21,7 @@ struct ComposedScene {
     std::vector<int> quiet_sources{};  ///< no pulse of them just now, or not yet
     int pair_count = 0;
     bool has_ghost = false;
+    std::vector<BonePlace> ghost_bones{};
     /// Over the head of every person, where there are several.
     struct Tag {
         int performer = 0;

@@ -13,22 +13,36 @@ struct Dot {
     int index;
 };
 
-/// Numbers beside their dots, outwards, each pushed down until it is clear of those above.
+QFont numberFont(const RigCanvas& canvas) {
+    QFont number = canvas.font(TextRole::kSection, true);
+    number.setPixelSize(
+        static_cast<int>(std::lround(std::clamp(canvas.height_px() * 0.036, canvas.px(15), canvas.px(24)))));
+    return number;
+}
+
+/// Numbers beside their dots, outwards, all as far from them, with one digit or two; each is pushed down
+/// until it is clear of those above.
 std::vector<Dot> dotsOf(const BodyFigure& figure, const Suit& suit, size_t count, const QPointF& feet_px,
-                        double scale, double beside_px, double high_px) {
+                        double scale, double clear_px, const QFont& number) {
+    const QFontMetricsF metrics(number);
+    const double high_px = metrics.capHeight() * 1.5;
+    const auto wide = [&](int index) { return metrics.horizontalAdvance(QString::number(index + 1)); };
     std::vector<Dot> dots;
     for (size_t i = 0; i < std::min(count, suit.boards.size()); ++i) {
         if (suit.boards[i].segment.empty())
             continue;
         const QPointF p = figure.board(suit.boards[i]) * scale;
         const QPointF at(feet_px.x() + p.x(), feet_px.y() - p.y());
-        dots.push_back({at, at + QPointF(p.x() < -1 ? -beside_px : beside_px, 0), static_cast<int>(i)});
+        const int index = static_cast<int>(i);
+        const double beside_px = clear_px + wide(index) / 2;
+        dots.push_back({at, at + QPointF(p.x() < -1 ? -beside_px : beside_px, 0), index});
     }
     std::ranges::sort(dots, {}, [](const Dot& dot) { return dot.at_px.y(); });
     for (size_t i = 0; i < dots.size(); ++i)
         for (size_t before = 0; before < i; ++before) {
             const QPointF apart = dots[i].number_px - dots[before].number_px;
-            if (std::abs(apart.x()) < 1.4 * high_px && apart.y() < high_px)
+            const double both_px = (wide(dots[i].index) + wide(dots[before].index)) / 2;
+            if (std::abs(apart.x()) < both_px && apart.y() < high_px)
                 dots[i].number_px.ry() = dots[before].number_px.y() + high_px;
         }
     return dots;
@@ -78,10 +92,7 @@ void paintDot(RigCanvas& canvas, const Dot& dot, BoardMark mark, double radius) 
     painter.drawEllipse(dot.at_px, radius, radius);
     paintSign(painter, dot.at_px, radius, mark);
 
-    QFont number = canvas.font(TextRole::kSection, true);
-    number.setPixelSize(
-        static_cast<int>(std::lround(std::clamp(canvas.height_px() * 0.036, canvas.px(15), canvas.px(24)))));
-    painter.setFont(number);
+    painter.setFont(numberFont(canvas));
     painter.setPen(look.number);
     const QPointF reach(canvas.px(30), canvas.px(15));
     painter.drawText(QRectF(dot.number_px - reach, dot.number_px + reach), Qt::AlignCenter,
@@ -138,8 +149,8 @@ void paintStand(RigCanvas& canvas, const RigPicture& picture, const BodyFigure& 
 
     const double radius = std::clamp(high * 0.016, canvas.px(6), canvas.px(11)), around = canvas.px(10);
     QVector<QPointF> called_out;
-    for (const Dot& dot :
-         dotsOf(figure, suit, picture.boards.size(), feet, scale, radius + canvas.px(14), canvas.px(17))) {
+    for (const Dot& dot : dotsOf(figure, suit, picture.boards.size(), feet, scale, radius + canvas.px(6),
+                                 numberFont(canvas))) {
         paintDot(canvas, dot, picture.boards[static_cast<size_t>(dot.index)], radius);
         canvas.keepReadable(dot.number_px, canvas.px(12));
         canvas.keepReadable(dot.at_px, radius);

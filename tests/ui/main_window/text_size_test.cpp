@@ -2,11 +2,16 @@
 // The size of text is changed in Preferences while pages, panels and dialogs are open: they follow at once.
 #include <QBoxLayout>
 #include <QComboBox>
+#include <QScrollArea>
+#include <algorithm>
 
 #include "tests/ui/main_window/clipping_fixture.h"
 #include "ui/main_window/jobs_panel.h"
 #include "ui/main_window/preferences_dialog.h"
 #include "ui/main_window/top_bar.h"
+#include "ui/main_window/window_place.h"
+#include "ui/plots/plot_lane.h"
+#include "ui/plots/plot_panel.h"
 #include "ui/plots/transport_bar.h"
 #include "ui/views/connect/board_card.h"
 #include "ui/views/connect/connect_page.h"
@@ -14,6 +19,9 @@
 #include "ui/views/export/export_form.h"
 #include "ui/views/export/export_take_list.h"
 #include "ui/views/record/record_bar.h"
+#include "ui/views/review/review_center.h"
+#include "ui/views/review/review_page.h"
+#include "ui/views/review/scene_area.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/chip.h"
 #include "ui/widgets/step_bar.h"
@@ -28,6 +36,16 @@ protected:
         QComboBox& sizes = dialog.textSize();
         sizes.setCurrentIndex(sizes.findData(percent));
         emit sizes.activated(sizes.currentIndex());
+    }
+    /// No scroll area around it hides a part.
+    static bool isSeenWhole(const QWidget& widget) {
+        for (const QWidget* up = widget.parentWidget(); up; up = up->parentWidget()) {
+            const auto* area = qobject_cast<const QScrollArea*>(up);
+            if (area && !area->viewport()->rect().contains(
+                            QRect(widget.mapTo(area, QPoint()) - area->viewport()->pos(), widget.size())))
+                return false;
+        }
+        return true;
     }
 };
 
@@ -69,6 +87,12 @@ TEST_P(TextSizeTest, ASmallScreenWithLargeTextKeepsWhatMustBeSeen) {
     QTest::qWait(60);
     const auto* transport = window_->findChild<TransportBar*>();
     EXPECT_EQ(transport->visibleRegion().boundingRect(), transport->rect());
+    auto& review = dynamic_cast<ReviewPage&>(window_->page(Step::kReview)).center();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return isSeenWhole(review.plots()) && isSeenWhole(review.scenes()); }))
+        << "body and curves at once, without scrolling";
+    EXPECT_TRUE(isSeenWhole(*review.plots().lanes().front())) << "one curve from its title to its foot";
+    EXPECT_GE(review.plots().height(), 160);
+    EXPECT_GE(review.scenes().height(), 160);
     window_->goTo(Step::kExport);
     QTest::qWait(60);
     const auto* form = window_->findChild<ExportForm*>();
@@ -87,6 +111,21 @@ TEST_P(TextSizeTest, PreferencesFollowTheirOwnChange) {
     expectWhole(dialog, "preferences at 75 %");
     choose(dialog, 100);
     EXPECT_EQ(dialog.size(), before);
+}
+
+TEST_P(TextSizeTest, PreferencesStayWithinASmallWindow) {
+    window_->resize(1280, 800);
+    PreferencesDialog dialog(*studio_, window_.get());
+    dialog.show();
+    choose(dialog, 150);
+    QTest::qWait(60);
+    EXPECT_EQ(dialog.size().boundedTo(window_->size()), dialog.size());
+    EXPECT_TRUE(freeRoom(*window_).contains(dialog.geometry())) << "grown, it stays on the screen";
+    const auto closes = [](const Button* button) { return button->text() == PreferencesDialog::tr("Close"); };
+    const auto buttons = dialog.findChildren<Button*>();
+    const auto close = std::ranges::find_if(buttons, closes);
+    ASSERT_NE(close, buttons.end());
+    EXPECT_TRUE(dialog.rect().contains(QRect((*close)->mapTo(&dialog, QPoint()), (*close)->size())));
 }
 
 TEST_P(TextSizeTest, TheOpenPanelOfJobsFollows) {

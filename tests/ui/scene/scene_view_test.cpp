@@ -239,6 +239,48 @@ TEST(SceneOverlayTest, InANarrowViewWordsStandBelowTheBody) {
     EXPECT_GT(below, 100);
 }
 
+/// Somebody who stands with legs apart: the shin that is chosen is the left one in the picture.
+SceneCallout shinOfAStandingBody() {
+    SceneCallout callout{{330, 400}, "Right shin, board 17", "Source 8, confidence 0.71"};
+    for (int i = 0; i <= 10; ++i) {
+        callout.bodies.emplace_back(350 - 4 * i, 260 + 22 * i);
+        callout.bodies.emplace_back(350 + 4 * i, 260 + 22 * i);
+        callout.bodies.emplace_back(350, 80 + 18 * i);
+    }
+    return callout;
+}
+
+TEST(SceneOverlayTest, TheCalloutStandsBesideTheBodies) {
+    Theme::install(*qApp);
+    Theme::get().setScale(1);
+    const QRectF area(0, 0, 700, 500);
+    SceneCallout callout = shinOfAStandingBody();
+    const auto covers = [&] {
+        const QRectF box = SceneOverlay::calloutBox(area, callout);
+        EXPECT_TRUE(area.contains(box));
+        return std::ranges::any_of(callout.bodies, [&](const QPointF& p) { return box.contains(p); });
+    };
+    EXPECT_FALSE(covers());
+    EXPECT_GT(SceneOverlay::calloutBox(area, callout).left(), 380) << "beyond the other leg";
+    const size_t shown = callout.bodies.size();
+    for (size_t i = 0; i < shown; ++i)
+        callout.bodies.push_back(callout.bodies[i] + QPointF(150, 0));
+    EXPECT_FALSE(covers()) << "nor on the compared one";
+    EXPECT_LT(SceneOverlay::calloutBox(area, callout).right(), 330) << "there is room on the left";
+}
+
+TEST_F(SceneViewTest, TheCalloutKnowsTheBodyThatItMustNotCover) {
+    openTake();
+    studio_->selection().setBoard(static_cast<int>(studio_->take().overview()->suit.boards.size()) - 1);
+    const auto* overlay = view_->findChild<SceneOverlay*>();
+    ASSERT_TRUE(overlay && waitFor([&] { return overlay->content().callout.has_value(); }));
+    const SceneCallout& callout = *overlay->content().callout;
+    const QRectF box = SceneOverlay::calloutBox(overlay->rect(), callout);
+    ASSERT_FALSE(callout.bodies.empty());
+    for (const QPointF& p : callout.bodies)
+        EXPECT_FALSE(box.contains(p)) << p.x() << ", " << p.y();
+}
+
 OverlayContent twoPeople() {
     OverlayContent content;
     content.has_axes = false;

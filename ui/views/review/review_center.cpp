@@ -20,7 +20,17 @@ namespace noctule::ui {
 
 namespace {
 constexpr const char *kAbove = "review/above", *kWhole = "review/whole";
-constexpr int kRoomForBoth = 700, kLeastAbove = 220;  // pixels at 100 percent
+constexpr int kRoomForBoth = 700, kLeastBody = 120;  // pixels at 100 percent
+
+/// Body and pairs; never lower than either of those that are seen can be.
+class BodyAndPairs : public QSplitter {
+public:
+    BodyAndPairs() : QSplitter(Qt::Horizontal) {}
+    QSize minimumSizeHint() const override {
+        return QSplitter::minimumSizeHint().expandedTo({0, Theme::get().px(kLeastBody)});
+    }
+};
+
 }  // namespace
 
 ReviewCenter::ReviewCenter(ReviewContext& review, QWidget* parent)
@@ -32,7 +42,7 @@ ReviewCenter::ReviewCenter(ReviewContext& review, QWidget* parent)
       plots_(new PlotPanel(review)),
       timeline_(new Timeline(review, plots_->window())),
       transport_(new TransportBar(review, *timeline_)),
-      above_(new QSplitter(Qt::Horizontal)),
+      above_(new BodyAndPairs),
       whole_(new QSplitter(Qt::Vertical)),
       tabs_(makeTabs()) {
     above_->addWidget(scenes_);
@@ -44,7 +54,6 @@ ReviewCenter::ReviewCenter(ReviewContext& review, QWidget* parent)
     top_column->addWidget(performers_);
     top_column->addWidget(tabs_);
     top_column->addWidget(above_, 1);
-    keepMinimumHeight(*above_, kLeastAbove);
     whole_->addWidget(top);
     whole_->addWidget(plots_);
     for (QSplitter* splitter : {above_, whole_}) {
@@ -98,6 +107,7 @@ void ReviewCenter::fold() {
     pairs_tab_->setChecked(shows_pairs_);
     scenes_->setVisible(!folded || !shows_pairs_ || !has_pairs);
     heat_map_->setVisible(has_pairs && (!folded || shows_pairs_));
+    above_->updateGeometry();
 }
 
 void ReviewCenter::resizeEvent(QResizeEvent* event) {

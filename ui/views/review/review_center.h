@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Centre of Review: the body (or two side by side) and the confidence of its pairs above, plots, timeline and
 // transport below. On small screens and with large type parts give way in this order: the left dock closes
-// (SideDocks), body and pairs share one place behind two tabs, then what is above the timeline scrolls;
-// nothing becomes smaller than it can be read.
+// (SideDocks), body and pairs share one place behind two tabs, the body becomes as low as it can be, and the
+// plots keep one whole lane. Only below that what is above the timeline scrolls: body and curves are seen at
+// once at 1280 by 800 with text of 150 percent. Nothing becomes smaller than it can be read.
 #pragma once
 
 #include <QWidget>
