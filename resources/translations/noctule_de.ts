@@ -3465,7 +3465,7 @@
     </message>
     <message>
         <source>Open one first</source>
-        <translation>Zuerst eine öffnen</translation>
+        <translation>Öffnen Sie zuerst eine</translation>
     </message>
     <message>
         <source>No take is chosen</source>
@@ -3473,7 +3473,7 @@
     </message>
     <message>
         <source>Tick at least one</source>
-        <translation>Mindestens eine ankreuzen</translation>
+        <translation>Kreuzen Sie mindestens eine an</translation>
     </message>
     <message>
         <source>The range ends before it begins</source>
@@ -3546,7 +3546,7 @@
     </message>
     <message>
         <source>Choose a last second after the first</source>
-        <translation>Eine letzte Sekunde nach der ersten wählen</translation>
+        <translation>Wählen Sie eine letzte Sekunde nach der ersten</translation>
     </message>
     <message>
         <source>Nothing is overwritten: a second export gets _2. %1</source>

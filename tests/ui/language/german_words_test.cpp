@@ -186,5 +186,17 @@ TEST(GermanWords, NoKeyOpensTwoMenus) {
     }
 }
 
+/// Buttons are infinitives; what the operator is asked to do is said to him.
+TEST(GermanWords, HintsOfExportAddressTheOperator) {
+    static const QRegularExpression asks("^(Open one|Tick|Choose a|Wait|Export it)");
+    int hints = 0;
+    for (const Message& message : readTs(translationPath("noctule_de.ts")))
+        if (message.context.startsWith("noctule::ui::Export") && message.source.contains(asks)) {
+            ++hints;
+            EXPECT_TRUE(message.forms.front().contains(" Sie ")) << message.forms.front().toStdString();
+        }
+    EXPECT_GE(hints, 5);
+}
+
 }  // namespace
 }  // namespace noctule::ui

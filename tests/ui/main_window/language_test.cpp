@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QMenuBar>
 #include <QPointer>
+#include <QProcess>
 
 #include "tests/ui/main_window/studio_fixture.h"
 #include "tests/ui/support/screen_words.h"
@@ -121,6 +122,31 @@ TEST_F(Language, EveryPageSpeaksGerman) {
         for (const QString& text : ScreenWords::notGerman(words))
             ADD_FAILURE() << text.toStdString();
     }
+}
+
+/// The system's locale is read once by a program: this one starts itself on a German desktop.
+class DesktopLanguage : public test::StudioWindow {
+protected:
+    static constexpr const char* kOnGermanDesktop = "DesktopLanguage.OnAGermanDesktopTheStudioIsGerman";
+};
+
+TEST_F(DesktopLanguage, OnAGermanDesktopTheStudioIsGerman) {
+    if (qEnvironmentVariable("LANGUAGE") != "de")
+        GTEST_SKIP() << "started by the next test";
+    EXPECT_EQ(window_->topBar().menuBar().actions().first()->text(), "&Datei");
+}
+
+TEST_F(DesktopLanguage, TheDesktopsLanguageIsChosenAtFirst) {
+    QProcessEnvironment german = QProcessEnvironment::systemEnvironment();
+    for (const char* name : {"LC_ALL", "LC_MESSAGES", "GTEST_TOTAL_SHARDS", "GTEST_SHARD_INDEX"})
+        german.remove(name);
+    german.insert("LANG", "en_US.UTF-8");
+    german.insert("LANGUAGE", "de");
+    QProcess studio;
+    studio.setProcessEnvironment(german);
+    studio.start(QCoreApplication::applicationFilePath(), {QString("--gtest_filter=") + kOnGermanDesktop});
+    ASSERT_TRUE(studio.waitForFinished(240'000));
+    EXPECT_EQ(studio.exitCode(), 0) << studio.readAllStandardOutput().toStdString();
 }
 
 }  // namespace

@@ -7,11 +7,13 @@
 #include <QEvent>
 #include <QPainter>
 #include <QTest>
+#include <algorithm>
 #include <array>
 
 #include "core/math/rotation.h"
 #include "core/mesh/import/glb_reader.h"
 #include "core/suit/default_suit.h"
+#include "tests/ui/support/painted_text.h"
 #include "ui/style/theme.h"
 #include "ui/wizards/rig_geometry.h"
 #include "ui/wizards/wizard_task.h"
@@ -152,6 +154,25 @@ TEST_F(RigDrawingTest, TheFigureStandsAsTheSolverTakesForGranted) {
         EXPECT_TRUE(wordsOf(task).set_up.contains("a little away from the body"));
     }
     EXPECT_NE(BodyFigure::of(actor, nullptr), drawn) << "maps of boards keep the open stance";
+}
+
+/// Right and left of circles, with one digit or two: board 9 stands where board 16 does on the other side.
+TEST_F(RigDrawingTest, NumbersOfTheStandAreAsFarFromTheirCirclesWithTwoDigits) {
+    RigDrawing drawing;
+    drawing.setBody(BodyFigure::of(defaultActor(), nullptr), defaultSuit());
+    drawing.setPicture(examplePicture(Kind::kStand, -1));
+    for (const double scale : {1.0, 1.5})
+        for (const QSize& size : {QSize(560, 330), QSize(800, 430), QSize(1300, 700)}) {
+            Theme::get().setScale(scale);
+            drawing.resize(size * scale);
+            const auto edge = [texts = test::TextRecorder::textsOf(drawing)](const char* number, bool right) {
+                const auto found = std::ranges::find(texts, QString(number), &test::PaintedText::text);
+                EXPECT_NE(found, texts.end()) << number;
+                return found == texts.end() ? 0 : right ? found->place.right() : found->place.left();
+            };
+            const double middle = drawing.width() / 2.0;
+            EXPECT_NEAR(middle - edge("16", true), edge("9", false) - middle, 2) << size.width();
+        }
 }
 
 /// The drawing in the middle of a larger picture: painter and widget do not clip.

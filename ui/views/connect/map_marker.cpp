@@ -36,10 +36,11 @@ void MapMarker::paintEvent(QPaintEvent*) {
     const QColor color = tone_ == Tone::kNeutral ? (board ? tokens.t2 : tokens.acc) : colorOf(tone_);
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    const QSizeF size = board ? QSizeF(theme.px(20), theme.px(16)) : QSizeF(theme.px(16), theme.px(16));
+    const bool wide = board || text().size() > 1;
+    const QSizeF size(theme.px(wide ? 20 : 16), theme.px(16));
     QRectF shape(QPointF(), size);
     shape.moveCenter(QRectF(rect()).center());
-    const double radius = board ? theme.px(4) : size.width() / 2;
+    const double radius = board ? theme.px(4) : size.height() / 2;
     painter.setBrush(chosen_ ? tokens.sel : underMouse() ? tokens.ctlh : tokens.view);
     // Nothing arrives: dashed, so that it is not told by colour alone.
     painter.setPen(QPen(color, chosen_ ? 2 : 1.5, tone_ == Tone::kError ? Qt::DashLine : Qt::SolidLine));
