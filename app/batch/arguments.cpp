@@ -6,6 +6,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/job/nearest_word.h"
+
 namespace noctule::batch {
 namespace {
 
@@ -83,10 +85,10 @@ Result<Arguments> Arguments::parse(const std::vector<std::string>& words,
     return arguments;
 }
 
-std::vector<std::string> Arguments::textsBut(const std::set<std::string>& names) const {
+std::vector<std::string> Arguments::inputFiles(const std::set<std::string>& but) const {
     std::vector<std::string> found = operands_;
     for (const Option& option : options_) {
-        if (names.contains(option.name))
+        if (!option.names_input || but.contains(option.name))
             continue;
         if (option.kind == Option::Kind::kText && given(option.name))
             found.push_back(text(option.name));
@@ -135,9 +137,11 @@ Status Arguments::addOption(const std::vector<std::string>& words, size_t& index
 Error Arguments::unknownOption(const std::string& name) const {
     std::vector<std::string> names;
     for (const Option& option : options_)
-        names.push_back("--" + option.name);
+        names.push_back(option.name);
+    const std::string near =
+        nearestWord(name.substr(std::min(name.find_first_not_of('-'), name.size())), names);
     return {ErrorKind::kUsage, "unknown option " + name,
-            "Did you mean " + nearest(name, names) + "? --help shows all"};
+            near.empty() ? "--help shows all" : "Did you mean --" + near + "? --help shows all"};
 }
 
 const Option* Arguments::find(const std::string& name) const {

@@ -27,8 +27,8 @@ public:
     std::optional<double> number(const std::string& name) const;
     std::optional<int64_t> whole(const std::string& name) const;
     const std::vector<std::string>& operands() const { return operands_; }
-    /// Operands, and the values of all text options but these: what is read when these are the outputs.
-    std::vector<std::string> textsBut(const std::set<std::string>& names) const;
+    /// Operands, and the files that options name as read; without the options `but`.
+    std::vector<std::string> inputFiles(const std::set<std::string>& but = {}) const;
 
 private:
     explicit Arguments(const std::vector<Option>& options) : options_(options) {}

@@ -181,11 +181,11 @@ Verb attachVerb() {
     verb.min_operands = verb.max_operands = 1;
     verb.example = "noctule --batch attach hops_001.noctule --reference optical.bvh --align auto";
     verb.options = {
-        text("reference", "M.bvh|M.fbx|M.glb|P.csv|M.c3d|M.trc",
-             "the recording; CSV: time_s or time_ms, and JOINT.x, .y, .z in metres"),
-        text("room", "ROOM.json", "instead: places of the room's anchors, as calibrate room found them"),
-        text("markers", "MAP.json",
-             "C3D, TRC: which markers surround which joint, {\"Hips\": [\"LASI\", ...]}"),
+        inputFile("reference", "M.bvh|M.fbx|M.glb|P.csv|M.c3d|M.trc",
+                  "the recording; CSV: time_s or time_ms, and JOINT.x, .y, .z in metres"),
+        inputFile("room", "ROOM.json", "instead: places of the room's anchors, as calibrate room found them"),
+        inputFile("markers", "MAP.json",
+                  "C3D, TRC: which markers surround which joint, {\"Hips\": [\"LASI\", ...]}"),
         text("align", "auto|MILLISECONDS",
              "when the recording starts on the take's clock; auto: found from the last run's motion")
             .orElse("auto"),

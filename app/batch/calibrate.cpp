@@ -155,7 +155,7 @@ Option byHandOption() {
 }
 
 Option actorOption() {
-    return text("actor", "A.json", "the performer; the one in the take when not given");
+    return inputFile("actor", "A.json", "the performer; the one in the take when not given");
 }
 
 Option reportOption() {
@@ -167,8 +167,9 @@ std::vector<Option> withCommon(std::vector<Option> own) {
     own.push_back(
         text("out", "C.json", "the calibration, with the values of --base where nothing new was found")
             .needed());
-    own.push_back(text("base", "C0.json",
-                       "the calibration to start from; the one in force in the first take when not given"));
+    own.push_back(
+        inputFile("base", "C0.json",
+                  "the calibration to start from; the one in force in the first take when not given"));
     own.push_back(reportOption());
     own.push_back(flag("force", "write the calibration even when it is not usable"));
     return own;
@@ -257,8 +258,8 @@ Result<CalibrationResult> solveRoom(const CalibrateRequest& request, const Argum
 
 Verb calibrateSourcesVerb() {
     std::vector<Option> options = {
-        text("digitizer", "D.csv", "points on the jig: placement,kind,id,x_m,y_m,z_m (or x_mm...)"),
-        text("distances", "D.csv", "tape measure: placement,source,board,distance_m (or distance_mm)"),
+        inputFile("digitizer", "D.csv", "points on the jig: placement,kind,id,x_m,y_m,z_m (or x_mm...)"),
+        inputFile("distances", "D.csv", "tape measure: placement,source,board,distance_m (or distance_mm)"),
         detectorOption(),
         choice("speed-of-sound", {"temperature", "estimate"},
                "from the take's thermometer, or from the distances")
@@ -421,7 +422,7 @@ Verb checkVerb() {
     verb.operands = "T.noctule";
     verb.min_operands = verb.max_operands = 1;
     verb.example = "noctule --batch check still_001.noctule --calibration worn.json";
-    verb.options = {text("calibration", "C.json", "the one in force in the take when not given"),
+    verb.options = {inputFile("calibration", "C.json", "the one in force in the take when not given"),
                     actorOption(), detectorOption(), reportOption()};
     verb.remarks = {"Exit code 4 when something has moved; the reasons name part and remedy."};
     verb.run = [](const VerbContext& context) {

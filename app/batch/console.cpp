@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
 
 #include "core/job/outside_text.h"
@@ -14,8 +15,10 @@ namespace {
 constexpr std::chrono::milliseconds kBetweenUpdates{100};
 constexpr size_t kLongest = 8000, kLongestStage = 200;  ///< bytes of a message and of a line of progress
 
+/// A reader that has closed the pipe (`| head`) has what it wanted.
 bool writeAll(const std::string& text) {
-    return std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+    return (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) ||
+           errno == EPIPE;
 }
 
 }  // namespace

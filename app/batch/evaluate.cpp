@@ -390,13 +390,13 @@ Verb evaluateVerb() {
     verb.operands = "T.noctule";
     verb.min_operands = verb.max_operands = 1;
     verb.example = "noctule --batch evaluate hops_001.noctule --report hops.html";
-    verb.options = {
-        text("run", "NAME", "the run to judge; the last one when not given"),
-        text("reference", "M.bvh|M.fbx|M.glb",
-             "another system's motion, aligned in time; else the take's own"),
-        texts("points", "P.csv", "tables that process --estimator comocap --points wrote, instead of a run"),
-        text("report", "R.html", "write the whole report, with every run of the take"),
-        text("csv", "J.csv", "write the joints of every run as a table")};
+    verb.options = {text("run", "NAME", "the run to judge; the last one when not given"),
+                    inputFile("reference", "M.bvh|M.fbx|M.glb",
+                              "another system's motion, aligned in time; else the take's own"),
+                    inputFiles("points", "P.csv",
+                               "tables that process --estimator comocap --points wrote, instead of a run"),
+                    text("report", "R.html", "write the whole report, with every run of the take"),
+                    text("csv", "J.csv", "write the joints of every run as a table")};
     for (Option& option : motionOptions("reference"))
         verb.options.push_back(std::move(option));
     verb.remarks = {

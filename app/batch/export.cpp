@@ -194,11 +194,8 @@ Status checkRequests(const Arguments& arguments, const std::vector<ExportRequest
         *arguments.number("from") > *arguments.number("to"))
         return Error{ErrorKind::kUsage, "--from lies after --to", "Give --from S before --to S"};
     const bool is_single = requests.size() == 1 || goesIntoOneFile(arguments);
-    std::set<std::string> outputs;
-    for (const ExportFormatEntry& format : exportFormats())
-        outputs.insert(format.option);
-    if (Status free = checkOutputs(allOutputs(arguments, requests), requests.front().overwrite,
-                                   arguments.textsBut(outputs));
+    if (Status free =
+            checkOutputs(allOutputs(arguments, requests), requests.front().overwrite, arguments.inputFiles());
         !free) {
         if (is_single)
             return free;
@@ -380,22 +377,22 @@ std::vector<Option> partOptions() {
 
 /// Of files that show a body.
 std::vector<Option> lookOptions() {
-    return {
-        text("mesh", "mannequin|none|M",
-             "the body: the default one; the skeleton alone; that of a .glb, .gltf, .vrm, .fbx, "
-             ".dae, .obj or .ply file, on its own bones or on some made for it")
-            .orElse("mannequin"),
-        text("bones", "MAP.json", "which bone of M is which joint, where they are not found by themselves"),
-        choice("feet", {"locked", "free"},
-               "of M: feet that stand keep their place; or legs turn as ours, and may slide")
-            .orElse("locked"),
-        text("size", "WxH", "of film and picture in pixels").orElse("1280x720"),
-        choice("camera", {"front", "follow", "turn"},
-               "stands before the performer; goes along; goes along and once around")
-            .orElse("front"),
-        choice("blending", {"linear", "dual"},
-               "how skin bends in film and picture: as other programs do, or by dual quaternions")
-            .orElse("linear")};
+    return {inputFile("mesh", "mannequin|none|M",
+                      "the body: the default one; the skeleton alone; that of a .glb, .gltf, .vrm, .fbx, "
+                      ".dae, .obj or .ply file, on its own bones or on some made for it")
+                .orElse("mannequin"),
+            inputFile("bones", "MAP.json",
+                      "which bone of M is which joint, where they are not found by themselves"),
+            choice("feet", {"locked", "free"},
+                   "of M: feet that stand keep their place; or legs turn as ours, and may slide")
+                .orElse("locked"),
+            text("size", "WxH", "of film and picture in pixels").orElse("1280x720"),
+            choice("camera", {"front", "follow", "turn"},
+                   "stands before the performer; goes along; goes along and once around")
+                .orElse("front"),
+            choice("blending", {"linear", "dual"},
+                   "how skin bends in film and picture: as other programs do, or by dual quaternions")
+                .orElse("linear")};
 }
 
 }  // namespace

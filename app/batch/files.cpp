@@ -75,12 +75,9 @@ Status checkOutputs(const std::vector<std::string>& paths, bool overwrite,
 Status checkOutputs(const Arguments& arguments, const std::vector<std::string>& outputs,
                     const std::set<std::string>& updated) {
     std::vector<std::string> paths;
-    std::set<std::string> no_inputs = updated;
-    for (const std::string& option : outputs) {
+    for (const std::string& option : outputs)
         paths.push_back(arguments.text(option));
-        no_inputs.insert(option);
-    }
-    return checkOutputs(paths, arguments.given("overwrite"), arguments.textsBut(no_inputs));
+    return checkOutputs(paths, arguments.given("overwrite"), arguments.inputFiles(updated));
 }
 
 Status writeJson(const std::string& path, const nlohmann::json& json, bool overwrite) {

@@ -241,18 +241,19 @@ Verb importVerb() {
     verb.min_operands = 1;
     verb.max_operands = kAnyNumber;
     verb.example = "noctule --batch import walk/MT_*.txt --out walk_001.noctule";
-    verb.options = {text("out", "T.noctule", "the take to make"),
-                    flag("list", "show what was found and make no take"),
-                    choice("as", formatNames(), "the kind of recording; auto: by its content").orElse("auto"),
-                    number("rate", "HZ", 1, 10000, "rows a second, in place of what the file says"),
-                    choice("world", worldFrameNames(),
-                           "axes of the recording's attitudes, in place of what the file says"),
-                    text("map", "MAP.json",
-                         "segments of the sensors, or columns, units and axes of a table of any program"),
-                    text("map-template", "MAP.json", "write the sensors as a map of segments to fill in"),
-                    choice("assign", {"names", "auto", "none"},
-                           "segments of the sensors: by their names, by movement or left open")
-                        .orElse("names")};
+    verb.options = {
+        text("out", "T.noctule", "the take to make"),
+        flag("list", "show what was found and make no take"),
+        choice("as", formatNames(), "the kind of recording; auto: by its content").orElse("auto"),
+        number("rate", "HZ", 1, 10000, "rows a second, in place of what the file says"),
+        choice("world", worldFrameNames(),
+               "axes of the recording's attitudes, in place of what the file says"),
+        inputFile("map", "MAP.json",
+                  "segments of the sensors, or columns, units and axes of a table of any program"),
+        text("map-template", "MAP.json", "write the sensors as a map of segments to fill in"),
+        choice("assign", {"names", "auto", "none"},
+               "segments of the sensors: by their names, by movement or left open")
+            .orElse("names")};
     verb.remarks = {
         "Kinds: MATLAB level 5 (BROAD, qmt), MVNX, MT Manager's text (one file per sensor), x-IMU3 (folders "
         "or .ximu3), OpenSense .sto, and any table with --map.",

@@ -33,8 +33,8 @@ std::vector<Option> motionOptions(const std::string& whose) {
                    "axis of the " + whose + "'s file that points up; auto: as the body stands")
                 .orElse("auto"),
             number("height", "M", 0.3, 3, "height of the " + whose + "'s person; goes before the unit"),
-            text("bones", "MAP.json",
-                 "which joint of the " + whose + " is which of ours, where names do not say it")};
+            inputFile("bones", "MAP.json",
+                      "which joint of the " + whose + " is which of ours, where names do not say it")};
 }
 
 Status checkMotionOptions(const Arguments& arguments, const std::string& whose) {

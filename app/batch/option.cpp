@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/job/nearest_word.h"
-
 namespace noctule::batch {
 namespace {
 
@@ -43,6 +41,18 @@ Option texts(const std::string& name, const std::string& placeholder, const std:
     return make(Option::Kind::kTexts, name, placeholder, help);
 }
 
+Option inputFile(const std::string& name, const std::string& placeholder, const std::string& help) {
+    Option option = text(name, placeholder, help);
+    option.names_input = true;
+    return option;
+}
+
+Option inputFiles(const std::string& name, const std::string& placeholder, const std::string& help) {
+    Option option = texts(name, placeholder, help);
+    option.names_input = true;
+    return option;
+}
+
 Option choice(const std::string& name, std::vector<std::string> choices, const std::string& help) {
     std::string placeholder;
     for (const std::string& value : choices)
@@ -76,10 +86,6 @@ const std::vector<Option>& commonOptions() {
         flag("overwrite", "replace outputs that exist; else that is an error"),
         flag("help", "this text")};
     return options;
-}
-
-std::string nearest(const std::string& word, const std::vector<std::string>& known) {
-    return nearestWord(word, known);
 }
 
 std::string listed(const std::vector<std::string>& words) {

@@ -24,6 +24,7 @@ struct Option {
     double min = 0, max = 0;
     std::string fallback;  ///< value when not given; empty: none
     bool required = false;
+    bool names_input = false;  ///< of texts: a file that is read, which no output may replace
 
     Option&& orElse(const std::string& value) &&;
     Option&& needed() &&;
@@ -32,6 +33,9 @@ struct Option {
 Option flag(const std::string& name, const std::string& help);
 Option text(const std::string& name, const std::string& placeholder, const std::string& help);
 Option texts(const std::string& name, const std::string& placeholder, const std::string& help);
+/// The same of files that are read.
+Option inputFile(const std::string& name, const std::string& placeholder, const std::string& help);
+Option inputFiles(const std::string& name, const std::string& placeholder, const std::string& help);
 Option choice(const std::string& name, std::vector<std::string> choices, const std::string& help);
 Option number(const std::string& name, const std::string& placeholder, double min, double max,
               const std::string& help);
@@ -40,9 +44,6 @@ Option whole(const std::string& name, const std::string& placeholder, double min
 
 /// Accepted by every verb.
 const std::vector<Option>& commonOptions();
-
-/// The word of `known` that needs the fewest edits; empty when there is none.
-std::string nearest(const std::string& word, const std::vector<std::string>& known);
 
 /// "a, b or c"
 std::string listed(const std::vector<std::string>& words);

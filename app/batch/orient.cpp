@@ -135,7 +135,7 @@ Verb orientVerb() {
         text("csv", "F.csv",
              "the result as a table: attitudes in the world, and relative to the sensor before"),
         choice("angles", eulerSequenceNames(), "order of the Euler angles in the table").orElse("ZXY"),
-        text("calibration", "C.json", "the calibration; the one in force in the take when not given"),
+        inputFile("calibration", "C.json", "the calibration; the one in force in the take when not given"),
         text("run-name", "NAME", "how the result is called")};
     verb.remarks = {
         "The result is a run of kind orientation in the take; evaluate compares it with the take's "

@@ -22,14 +22,15 @@ std::string pagePath(const std::string& sheet, size_t page) {
 }  // namespace
 
 std::vector<Option> photographOptions() {
-    return {texts("photos", "IMG...", "photographs of the jig with printed markers, named PLACEMENT_*.jpg"),
-            number("marker-mm", "N", kSmallestMarker_mm, kLargestMarker_mm,
-                   "side of the markers' black squares, measured on the paper")
-                .orElse("40"),
-            text("print-markers", "SHEET.svg",
-                 "write the markers to be printed and nothing else: neither takes nor --out"),
-            text("suit", "S.json",
-                 "the suit that --print-markers is for; the one of 18 boards and 8 sources when not given")};
+    return {
+        inputFiles("photos", "IMG...", "photographs of the jig with printed markers, named PLACEMENT_*.jpg"),
+        number("marker-mm", "N", kSmallestMarker_mm, kLargestMarker_mm,
+               "side of the markers' black squares, measured on the paper")
+            .orElse("40"),
+        text("print-markers", "SHEET.svg",
+             "write the markers to be printed and nothing else: neither takes nor --out"),
+        inputFile("suit", "S.json",
+                  "the suit that --print-markers is for; the one of 18 boards and 8 sources when not given")};
 }
 
 std::vector<std::string> photographRemarks() {

@@ -310,10 +310,10 @@ Verb processVerb() {
     verb.max_operands = kAnyNumber;
     verb.example = "noctule --batch process hops_001.noctule --sensors AGD --root free";
     verb.options = {
-        text("calibration", "C.json",
-             "the calibration, in force in the take from now on; when not given, the one in force"),
-        text("actor", "A.json",
-             "the performer, in force in the take from now on; when not given, the one in force"),
+        inputFile("calibration", "C.json",
+                  "the calibration, in force in the take from now on; when not given, the one in force"),
+        inputFile("actor", "A.json",
+                  "the performer, in force in the take from now on; when not given, the one in force"),
         text("sensors", "AGD", "any of A accelerometers, G gyroscopes, D distances").orElse("AGD"),
         choice("root", {"free", "given"}, "given: by another system, from the take's external_root")
             .orElse("free"),
@@ -330,7 +330,7 @@ Verb processVerb() {
                "ms-comocap, environment: Welch 2018, points of several people (--points)")
             .orElse(kManifoldEstimator),
         texts("param", "NAME=VALUE", "sets a parameter of the estimator; `estimators` lists them"),
-        text("params", "F.json", "parameters by name, or the settings of a run"),
+        inputFile("params", "F.json", "parameters by name, or the settings of a run"),
         number("paper-sigma", "X", 1e-6, 1e6,
                "process sigma of the paper's estimator, rad/s^2 (default 0.04)"),
         choice("smooth", {"none", "lag", "full", "batch"},

@@ -7,6 +7,7 @@
 
 #include "app/batch/help.h"
 #include "app/batch/version.h"
+#include "core/job/nearest_word.h"
 
 namespace noctule::batch {
 namespace {
@@ -70,7 +71,9 @@ Error unknownVerb(const std::string& name) {
             names.push_back(verb.name);
     if (name.empty())
         return {ErrorKind::kUsage, "no verb is given", "Choose " + listed(names)};
-    return {ErrorKind::kUsage, "unknown verb " + name, "Did you mean " + nearest(name, names) + "?"};
+    const std::string near = nearestWord(name, names);
+    return {ErrorKind::kUsage, "unknown verb " + name,
+            near.empty() ? "Choose " + listed(names) : "Did you mean " + near + "?"};
 }
 
 Status checkArguments(const Verb& verb, const Arguments& arguments) {

@@ -92,7 +92,9 @@ nlohmann::json lossesJson(const TakeLosses& losses) {
         if (loss.lost)
             tables[loss.table]["lost_rows"] = *loss.lost;
     }
-    nlohmann::json all{{"tables", tables}, {"list_of_tables_damaged", losses.may_have_had_more}};
+    nlohmann::json all{{"tables", tables},
+                       {"list_of_tables_damaged", losses.may_have_had_more},
+                       {"mended_texts", losses.mended_texts}};
     if (losses.sound_s)
         all["sound"] = {{"saved_s", *losses.sound_s}, {"whole_s", losses.whole_sound_s}};
     return all;

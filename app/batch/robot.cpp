@@ -250,10 +250,11 @@ Verb robotVerb() {
     verb.min_operands = verb.max_operands = 1;
     verb.example = "noctule --batch robot wave.noctule --robot g1.urdf --out wave.csv";
     verb.options = {
-        text("robot", "R.urdf", "the robot; a xacro file has to be expanded first").needed(),
+        inputFile("robot", "R.urdf", "the robot; a xacro file has to be expanded first").needed(),
         text("out", "C.csv", "the commands, a column per joint in rad or m").needed(),
-        text("profile", "P.json",
-             "how its arms answer to a performer's; else found by the robot's name, or made from the URDF"),
+        inputFile(
+            "profile", "P.json",
+            "how its arms answer to a performer's; else found by the robot's name, or made from the URDF"),
         text("profile-out", "P.json", "writes the profile that was used"),
         text("trajectory", "T.json", "the commands as a JointTrajectory of ROS"),
         text("report", "R.html", "the wrists asked for and commanded, in three views, and what is between"),

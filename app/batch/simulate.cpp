@@ -115,7 +115,8 @@ Verb simulateVerb() {
         "noctule --batch simulate --motion /usr/share/assimp/models/BVH/01_01.bvh --out hops_001.noctule";
     verb.options = {
         text("out", "T.noctule", "the take to write").needed(),
-        text("cast", "CAST.json", "several performers in one room, each with motion and suit, in one take"),
+        inputFile("cast", "CAST.json",
+                  "several performers in one room, each with motion and suit, in one take"),
         choice("level", {"signal", "readings"}, "sampled sound, or inertial and range rows at once (quick)")
             .orElse("signal"),
         number("duration", "S", 0.1, 86400, "of the whole take; a longer one repeats the motion"),

@@ -42,14 +42,14 @@ std::optional<RigKind> rigNamed(const std::string& name) {
 
 std::vector<Option> stageOptions() {
     std::vector<Option> options = {
-        text("motion", "M.bvh|M.fbx|M.glb", "the motion, with any human hierarchy"),
+        inputFile("motion", "M.bvh|M.fbx|M.glb", "the motion, with any human hierarchy"),
         choice("rig", {"rest", "jig", "level", "turntable", "bag"},
                "no motion: the performer stands in the rest pose, or nobody wears the suit, it is on a "
                "rig of calibration"),
         choice("scenario", {"ideal", "nominal", "realistic"}, "how good the world is").orElse("nominal"),
-        text("suit", "S.json",
-             "the suit; the one of 18 boards and 8 sources when not given, in a bag with magnetometers"),
-        text("actor", "A.json", "the performer; one with the motion's measures when not given"),
+        inputFile("suit", "S.json",
+                  "the suit; the one of 18 boards and 8 sources when not given, in a bag with magnetometers"),
+        inputFile("actor", "A.json", "the performer; one with the motion's measures when not given"),
         number("rest-seconds", "S", 0, 3600, "rest pose before the motion").orElse("3")};
     for (Option& option : motionOptions("motion"))
         options.push_back(std::move(option));

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/batch/option.h"
+#include "core/job/nearest_word.h"
 
 namespace noctule::virtual_suit {
 namespace {
@@ -85,7 +86,9 @@ Error unknownCommand(const std::string& name) {
     std::vector<std::string> names;
     for (const Shape& shape : kShapes)
         names.emplace_back(shape.name);
-    return mistake("unknown command '" + name + "'", "Did you mean " + batch::nearest(name, names) + "?");
+    const std::string near = nearestWord(name, names);
+    return mistake("unknown command '" + name + "'",
+                   near.empty() ? "Choose " + batch::listed(names) : "Did you mean " + near + "?");
 }
 
 /// "+x", "-x", "x" of any axis.

@@ -21,8 +21,9 @@ Error unknownParameter(const std::vector<ParameterDescription>& known, const std
     std::vector<std::string> names;
     for (const ParameterDescription& row : known)
         names.push_back(row.name);
+    const std::string near = nearestWord(name, names);
     return {ErrorKind::kUsage, "estimator " + estimator + " has no parameter '" + name + "'",
-            "Did you mean " + nearestWord(name, names) + "? `noctule --batch estimators " + estimator +
+            (near.empty() ? "" : "Did you mean " + near + "? ") + "`noctule --batch estimators " + estimator +
                 "` lists all"};
 }
 

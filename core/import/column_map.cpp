@@ -5,6 +5,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <cstdio>
 #include <map>
 
 #include "core/body/actor.h"
@@ -172,6 +173,17 @@ Result<MappedSensor> mappedSensor(const Json& entry, ColumnMap& map) {
     return sensor;
 }
 
+/// Axis by axis: a product would spread one that is missing over all of them.
+Vector3d alongAxes(const Matrix3d& R_sensor_file, const Vector3d& vector) {
+    Vector3d turned;
+    for (Eigen::Index row = 0; row < 3; ++row) {
+        Eigen::Index axis = 0;
+        R_sensor_file.row(row).cwiseAbs().maxCoeff(&axis);
+        turned[row] = R_sensor_file(row, axis) * vector[axis];
+    }
+    return turned;
+}
+
 SensorRows mappedRows(const MappedSensor& sensor, const NumberColumns& table, const Quaterniond& turn) {
     SensorRows rows;
     const auto vectors = [&](const std::vector<size_t>& c, double scale) {
@@ -179,7 +191,7 @@ SensorRows mappedRows(const MappedSensor& sensor, const NumberColumns& table, co
         if (!c.empty())
             found = vectorsOf(table.columns[c[0]], table.columns[c[1]], table.columns[c[2]], scale);
         for (Vector3d& vector : found)
-            vector = sensor.R_sensor_file * vector;
+            vector = alongAxes(sensor.R_sensor_file, vector);
         return found;
     };
     rows.gyro_rad_per_s = vectors(sensor.gyro, sensor.gyro_scale);
@@ -230,6 +242,22 @@ Result<std::vector<MappedSensor>> mappedSensors(const Json& map, ColumnMap& read
     return sensors;
 }
 
+/// Times of day do not say on which day they are.
+void tellOfDays(const NumberColumns& table, const std::string& path, std::vector<std::string>& warnings) {
+    constexpr double kWorthTelling_s = 600, kHour_s = 3600;
+    char hours[32];
+    if (table.longest_hole_s >= kWorthTelling_s) {
+        std::snprintf(hours, sizeof hours, "%.2f", table.longest_hole_s / kHour_s);
+        warnings.push_back(path + ": its times of day have no date, so a hole of " + hours +
+                           " h is a guess; it may be longer by whole days");
+    }
+    if (table.longest_return_s >= kWorthTelling_s) {
+        std::snprintf(hours, sizeof hours, "%.2f", table.longest_return_s / kHour_s);
+        warnings.push_back(path + ": its times of day have no date and jump back by " + hours +
+                           " h; the clock was probably set back, but the next day is possible too");
+    }
+}
+
 Result<ImportedRecording> readMapped(const ImportFile& file, const TableHead& head,
                                      const ImportChoice& choice, const JobContext& job) {
     ColumnMap reader(choice.map, head);
@@ -273,7 +301,10 @@ Result<ImportedRecording> readMapped(const ImportFile& file, const TableHead& he
     recording.warnings = grid->findings(file.path);
     if (table->cut)
         recording.warnings.push_back(file.path + ": the last line has no end and was left out");
+    tellOfDays(*table, file.path, recording.warnings);
     recording.notes = {"Columns, units and axes are those of the map"};
+    for (const std::string& left_out : columnsLeftOut(head.names, reader.wanted()))
+        recording.notes.push_back(left_out);
     return recording;
 }
 

@@ -93,8 +93,15 @@ private:
         if (!instant)
             return false;
         const bool is_of_day = *instant <= kDay_s;
-        if (is_of_day && *instant < last_of_day_s_ - kDay_s / 2)
-            midnights_s_ += kDay_s;
+        if (is_of_day && last_of_day_s_) {
+            double step_s = *instant - *last_of_day_s_;
+            if (step_s < -kDay_s / 2) {
+                midnights_s_ += kDay_s;
+                step_s += kDay_s;
+            }
+            result_.longest_hole_s = std::max(result_.longest_hole_s, step_s);
+            result_.longest_return_s = std::max(result_.longest_return_s, -step_s);
+        }
         if (is_of_day)
             last_of_day_s_ = *instant;
         value = *instant + midnights_s_;
@@ -105,7 +112,8 @@ private:
     const std::string& where_;
     RowSplitter splitter_;
     NumberColumns result_;
-    double last_of_day_s_ = 0, midnights_s_ = 0;
+    std::optional<double> last_of_day_s_;
+    double midnights_s_ = 0;
 };
 
 }  // namespace

@@ -30,6 +30,8 @@ struct NumberColumns {
     size_t missing = 0;  ///< cells that hold no number
     /// The last line has no end, so it may have been cut anywhere: it was left out.
     bool cut = false;
+    // Of times of day without a date: the longest step ahead, midnights counted, and the longest one back.
+    double longest_hole_s = 0, longest_return_s = 0;
 };
 
 /// Cells are split at every separator; a quoted cell may hold it. Empty lines are skipped, and a separator

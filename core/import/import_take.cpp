@@ -272,9 +272,10 @@ Status writeWithAttitudes(const ImportedRecording& recording, const ImportReques
         done = writeAttitudes(recording, aside, request, job);
     if (done)
         done = publishFile(aside, request.out_path, request.overwrite);
-    if (!done)
-        std::remove(aside.c_str());
-    return done;
+    if (done)
+        return done;
+    std::remove(aside.c_str());
+    return namedAs(done.error(), aside, request.out_path);
 }
 
 }  // namespace

@@ -366,6 +366,12 @@ std::span<const TableUnit> unitsOf(TableQuantity quantity) {
     }
 }
 
+TableColumn columnNamed(const std::string& name) {
+    TableColumn column{name, {}, TableQuantity::kNothing, 0, {}};
+    tellByName(column, partsOf(name));
+    return column;
+}
+
 Result<TableColumns> guessColumns(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     std::string bytes(kLookedAtBytes, '\0');
@@ -378,10 +384,8 @@ Result<TableColumns> guessColumns(const std::string& path) {
         return head.error();
     TableColumns table;
     table.has_header = head->has_names;
-    for (const std::string& name : head->names) {
-        table.columns.push_back({name, {}, TableQuantity::kNothing, 0, {}});
-        tellByName(table.columns.back(), partsOf(name));
-    }
+    for (const std::string& name : head->names)
+        table.columns.push_back(columnNamed(name));
     dropDoubles(table);
     const auto values = firstValues(*head, table, bytes.size() == kLookedAtBytes);
     if (values.front().empty())

@@ -54,6 +54,14 @@ struct TableColumns {
 /// Reads the first lines only. kUnreadable names the file.
 Result<TableColumns> guessColumns(const std::string& path);
 
+/// A sentence for each quantity of a sensor that the table has in further columns, by their names, beside the
+/// `used` ones.
+std::vector<std::string> columnsLeftOut(const std::vector<std::string>& names,
+                                        const std::vector<size_t>& used);
+
+/// The quantity, axis and sensor that its name tells.
+TableColumn columnNamed(const std::string& name);
+
 /// kUsage says which column is missing or named twice. `rate_hz` stands for the time where no column has it.
 Result<nlohmann::json> mapOfColumns(const TableColumns& table, double rate_hz);
 

@@ -205,7 +205,7 @@ constexpr double kUnevenLength = 0.02;
 
 /// Counts what is missing; what is impossible becomes so.
 struct ReadingCount {
-    size_t missing = 0, impossible = 0, same = 0;
+    size_t missing = 0, impossible = 0, partial = 0, same = 0;
 
     ReadingCount(std::vector<Vector3d>& readings, double impossible_beyond) {
         const Vector3d nothing = Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
@@ -213,6 +213,10 @@ struct ReadingCount {
         for (Vector3d& reading : readings) {
             if (reading.allFinite() && reading.cwiseAbs().maxCoeff() > impossible_beyond) {
                 ++impossible;
+                reading = nothing;
+            }
+            if (!reading.allFinite() && reading.array().isFinite().any()) {
+                ++partial;
                 reading = nothing;
             }
             missing += !reading.allFinite();
@@ -231,6 +235,9 @@ void describeReadings(const std::string& who, const char* what, std::vector<Vect
     if (count.impossible > 0)
         warnings.push_back(who + ": " + std::to_string(count.impossible) + " of " + of +
                            " are beyond any sensor's range and were left out");
+    if (count.partial > 0)
+        warnings.push_back(who + ": " + std::to_string(count.partial) + " of " + of +
+                           " lack an axis and were left out");
     if (count.missing == readings.size())
         return;  // the quantity is not there, which the summary says
     if (double(count.missing) > kUsualShareMissing * double(readings.size()))

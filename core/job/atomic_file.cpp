@@ -254,6 +254,13 @@ std::string asidePath(const std::string& path) {
     return asideName(path);
 }
 
+Error namedAs(Error error, const std::string& aside_path, const std::string& path) {
+    for (std::string* text : {&error.message, &error.remedy})
+        for (size_t at = 0; (at = text->find(aside_path, at)) != std::string::npos; at += path.size())
+            text->replace(at, aside_path.size(), path);
+    return error;
+}
+
 void removeAbandoned(const std::string& path) {
     const std::string begin = asideBegin(path);
     std::error_code ignored;
@@ -274,7 +281,7 @@ void removeAbandoned(const std::string& path) {
 Status publishFile(const std::string& aside_path, const std::string& path, bool overwrite) {
     Descriptor aside(::open(aside_path.c_str(), O_RDONLY | O_CLOEXEC));
     if (aside.get() < 0 || ::fsync(aside.get()) != 0 || !aside.close())
-        return diskError(aside_path, errno);
+        return diskError(path, errno);
     Status named = giveName(aside_path, path, overwrite);
     if (named)
         syncFolder(path);

@@ -31,6 +31,9 @@ Status writeFileAtomically(const std::string& path, std::string_view content, bo
 /// or in another process, uses it.
 std::string asidePath(const std::string& path);
 
+/// An error about the file aside, told about the file that it is to become.
+Error namedAs(Error error, const std::string& aside_path, const std::string& path);
+
 /// Removes what writers of `path` left beside it when they were killed; what a living process writes stays,
 /// and what another computer does in a shared folder (its host name stands in the file's).
 void removeAbandoned(const std::string& path);

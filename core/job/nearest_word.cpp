@@ -24,10 +24,14 @@ size_t editsBetween(const std::string& a, const std::string& b) {
 }  // namespace
 
 std::string nearestWord(const std::string& word, const std::vector<std::string>& known) {
-    const auto best = std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
-        return editsBetween(word, a) < editsBetween(word, b);
-    });
-    return best == known.end() ? "" : *best;
+    std::string best;
+    size_t fewest = std::min(std::max<size_t>(1, word.size() / 3) + 1, word.size());
+    for (const std::string& one : known)
+        if (const size_t edits = editsBetween(word, one); edits < fewest) {
+            fewest = edits;
+            best = one;
+        }
+    return best;
 }
 
 }  // namespace noctule

@@ -85,6 +85,17 @@ std::string visibleText(std::string_view text, Lines lines) {
     return shown;
 }
 
+std::string validUtf8(std::string_view text) {
+    std::string valid;
+    valid.reserve(text.size());
+    for (size_t at = 0; at < text.size();) {
+        const size_t bytes = characterAt(text, at).bytes;
+        valid += bytes == 0 ? std::string_view("\xef\xbf\xbd") : text.substr(at, bytes);
+        at += bytes == 0 ? 1 : bytes;
+    }
+    return valid;
+}
+
 std::string shortText(std::string_view text, size_t most) {
     if (text.size() <= most)
         return std::string(text);

@@ -13,6 +13,9 @@ enum class Lines { kOne, kMany };
 /// "\x1b", "\u202e". Line feeds stay with kMany, else they become "\n".
 std::string visibleText(std::string_view text, Lines lines = Lines::kOne);
 
+/// Every byte that is no UTF-8 becomes U+FFFD; all else stays.
+std::string validUtf8(std::string_view text);
+
 /// At most `most` bytes, whole characters, with "…" in place of the rest.
 std::string shortText(std::string_view text, size_t most);
 

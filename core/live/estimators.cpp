@@ -125,8 +125,10 @@ Result<const EstimatorEntry*> estimatorNamed(const std::string& name) {
     std::vector<std::string> names;
     for (const EstimatorEntry& entry : estimators())
         names.push_back(entry.name);
+    const std::string near = nearestWord(name, names);
     return Error{ErrorKind::kUsage, "there is no estimator '" + name + "'",
-                 "Did you mean " + nearestWord(name, names) + "? `noctule --batch estimators` lists all"};
+                 near.empty() ? "`noctule --batch estimators` lists all"
+                              : "Did you mean " + near + "? `noctule --batch estimators` lists all"};
 }
 
 }  // namespace noctule

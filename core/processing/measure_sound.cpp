@@ -363,12 +363,12 @@ Result<Take> measureSound(Take& take, std::vector<SoundOfSuit> suits, const std:
         asidePath((std::filesystem::path(folder) / (header.uuid + "_measured.noctule")).string());
     auto writer = TakeWriter::create(path, header);
     if (!writer)
-        return writer.error();
+        return namedAs(writer.error(), path, folder);
     SoundMeasurement measurement(take, std::move(suits), warnings, job);
     if (Status measured = measurement.run(*writer); !measured)
-        return measured.error();
+        return namedAs(measured.error(), path, folder);
     if (Status finished = writer->finish(); !finished)
-        return finished.error();
+        return namedAs(finished.error(), path, folder);
     auto measured = Take::open(path);
     std::error_code ignored;
     std::filesystem::remove(path, ignored);

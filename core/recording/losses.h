@@ -20,6 +20,7 @@ struct TakeLosses {
     std::optional<double> sound_s;   ///< of the one suit's sound, when something of it is lost
     double whole_sound_s = 0;        ///< as it was recorded, with `sound_s`
     bool may_have_had_more = false;  ///< the list of tables is damaged
+    int64_t mended_texts = 0;        ///< in which U+FFFD stands for bytes that are no UTF-8
     bool empty() const { return tables.empty() && !may_have_had_more; }
 };
 

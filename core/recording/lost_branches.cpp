@@ -67,17 +67,22 @@ public:
         const int64_t count = page_.number(kCountAt, 4);
         int64_t seen = 0;
         for (int64_t trunk = page_.number(kFirstAt, 4); trunk != 0; ++seen) {
-            if (seen > count || !page_.read(trunk) || !reached_.insert(trunk).second)
+            if (seen > count || !page_.read(trunk) || !free_.insert(trunk).second)
                 return false;
             const int64_t leaves = page_.number(4, 4);
             if (leaves > page_bytes_ / 4 - 2)
                 return false;
             for (int64_t i = 0; i < leaves; ++i)
-                reached_.insert(page_.number(8 + 4 * i, 4));
+                free_.insert(page_.number(8 + 4 * i, 4));
             seen += leaves;
             trunk = page_.number(0, 4);
         }
         return seen == count;
+    }
+
+    /// The list of free pages is an old one: a tree leads to one of them.
+    bool isFreeListStale() const {
+        return std::ranges::any_of(free_, [&](int64_t page) { return reached_.contains(page); });
     }
 
     bool isWhole(int64_t root) {
@@ -104,7 +109,7 @@ public:
         std::set<int64_t> below;
         int64_t looks = 0;
         for (int64_t page = 2; page <= page_count_ && !job.cancelled(); ++page) {
-            if (reached_.contains(page) || !page_.read(page))
+            if (reached_.contains(page) || free_.contains(page) || !page_.read(page))
                 continue;
             const int kind = page_.kind();
             if (kind != kInnerPage && kind != kRowPage)
@@ -242,7 +247,7 @@ private:
     std::fstream& file_;
     const int64_t page_bytes_, page_count_;
     PageReader page_;
-    std::set<int64_t> reached_;
+    std::set<int64_t> reached_, free_;
 };
 
 std::vector<ColumnShape> columnsOf(const Database& database, const std::string& table) {
@@ -273,7 +278,7 @@ std::vector<DamagedTable> damagedTables(const Database& database, BranchMender& 
         if (!row)
             return {};
         if (!*row)
-            return damaged;
+            return mender.isFreeListStale() ? std::vector<DamagedTable>() : damaged;
         const std::string name = list->text(0).value_or("");
         std::vector<RowPage> pages = mender.markTree(list->integer(1).value_or(0));
         if (!pages.empty() &&

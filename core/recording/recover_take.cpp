@@ -122,7 +122,10 @@ Result<TakeLosses> saveReadable(TakeCopy& copy, const std::string& saved_path, b
     Result<TakeLosses> losses = copyReadableRows(copy.path(), saved.path, job, mended);
     if (!losses)
         return losses;
-    if (!markRecovered(saved.path))
+    const Status marked = markRecovered(saved.path);
+    if (!marked && marked.error().kind == ErrorKind::kDisk)
+        return namedAs(marked.error(), saved.path, saved_path);
+    if (!marked)
         return Error{ErrorKind::kUnreadable,
                      copy.path() + ": too little of it can be read to make a take of it",
                      "Use a copy of it, if there is one"};

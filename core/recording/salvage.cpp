@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/job/outside_text.h"
 #include "core/recording/database.h"
 #include "core/recording/schema.h"
 #include "core/recording/table_pages.h"
@@ -17,12 +18,12 @@ namespace {
 /// Unreadable stretches in a row after which the rest of a page is given up, a tenth of a second.
 constexpr int kMostFailures = 2'000;
 
-/// What the torn file has of the table's columns, with commas; empty: it has no such table.
-Result<std::string> columnsIn(const Database& database, const TableDefinition& table) {
+/// What the torn file has of the table's columns; empty: it has no such table.
+Result<std::vector<ColumnDefinition>> columnsIn(const Database& database, const TableDefinition& table) {
     Result<Statement> info = database.prepare("PRAGMA torn.table_info(" + table.name + ")");
     if (!info)
         return info.error();
-    std::string columns;
+    std::vector<ColumnDefinition> columns;
     for (Result<bool> row = info->step();; row = info->step()) {
         if (!row)
             return row.error();
@@ -31,7 +32,7 @@ Result<std::string> columnsIn(const Database& database, const TableDefinition& t
         const std::string name = info->text(1).value_or("");
         for (const ColumnDefinition& column : table.columns)
             if (column.name == name)
-                columns += (columns.empty() ? "" : ",") + name;
+                columns.push_back(column);
     }
 }
 
@@ -47,13 +48,34 @@ std::vector<RowPage> pagesOf(const Database& database, const std::string& torn, 
                                                       : std::vector<RowPage>();
 }
 
+/// Where the torn row's value has the column's type: SQLite lets anyone store anything, and would make a
+/// number of a text that looks like one.
+std::string typeCheck(const ColumnDefinition& column) {
+    const std::string_view type(column.declaration);
+    const bool is_number = type.starts_with("INTEGER") || type.starts_with("REAL");
+    std::string types = is_number ? "'integer','real'" : type.starts_with("BLOB") ? "'blob'" : "'text'";
+    if (type.find("NOT NULL") == std::string_view::npos)
+        types += ",'null'";
+    std::string check = " AND typeof(";
+    check += column.name;
+    check += ") IN(";
+    check += types;
+    return check += ")";
+}
+
 class TableCopy {
 public:
+    /// `columns`: those of the table that the torn file has.
     static Result<TableCopy> make(const Database& database, const std::string& table,
-                                  const std::string& columns, const JobContext& job) {
+                                  const std::vector<ColumnDefinition>& columns, const JobContext& job) {
+        std::string names, checks;
+        for (const ColumnDefinition& column : columns) {
+            names += (names.empty() ? "" : ",") + column.name;
+            checks += typeCheck(column);
+        }
         Result<Statement> insert =
-            database.prepare("INSERT OR IGNORE INTO main." + table + "(" + columns + ") SELECT " + columns +
-                             " FROM torn." + table + " NOT INDEXED WHERE rowid BETWEEN ? AND ?");
+            database.prepare("INSERT OR IGNORE INTO main." + table + "(" + names + ") SELECT " + names +
+                             " FROM torn." + table + " NOT INDEXED WHERE rowid BETWEEN ? AND ?" + checks);
         if (!insert)
             return insert.error();
         return TableCopy(database, std::move(*insert), job);
@@ -171,15 +193,18 @@ private:
 };
 
 Result<TableLoss> copyTable(const Database& database, const std::string& torn, const std::string& table,
-                            const std::string& columns, const JobContext& job) {
+                            const std::vector<ColumnDefinition>& columns, const JobContext& job) {
     Result<TableCopy> rows = TableCopy::make(database, table, columns, job);
     if (!rows)
         return rows.error();
     const Result<bool> all = rows->copy(RowPage().first, RowPage().last);
     if (!all)
         return all.error();
-    if (*all)
-        return TableLoss{table, rows->copied(), 0};
+    if (*all) {
+        const auto there = database.queryInteger("SELECT count(*) FROM torn." + table + " NOT INDEXED");
+        const int64_t count = there ? there->value_or(0) : 0;
+        return TableLoss{table, rows->copied(), std::max<int64_t>(0, count - rows->copied())};
+    }
     std::vector<RowPage> pages = pagesOf(database, torn, table);
     if (pages.empty())
         pages.emplace_back();
@@ -255,6 +280,47 @@ void measureSound(const Database& database, TakeLosses& losses) {
                                 losses.whole_sound_s);
 }
 
+Result<int64_t> mendTextsOf(const Database& database, const std::string& table, const std::string& column) {
+    if (const auto there =
+            database.queryInteger("SELECT 1 FROM main.sqlite_schema WHERE name='" + table + "'");
+        !there || !*there)
+        return 0;
+    std::vector<std::pair<int64_t, std::string>> odd;
+    Result<Statement> texts = database.prepare("SELECT rowid," + column + " FROM main." + table);
+    Result<Statement> set =
+        database.prepare("UPDATE OR IGNORE main." + table + " SET " + column + "=? WHERE rowid=?");
+    if (!texts || !set)
+        return texts ? set.error() : texts.error();
+    for (Result<bool> row = texts->step();; row = texts->step()) {
+        if (!row)
+            return row.error();
+        if (!*row)
+            break;
+        const std::string text = texts->text(1).value_or("");
+        if (std::string valid = validUtf8(text); valid != text)
+            odd.emplace_back(texts->integer(0).value_or(0), std::move(valid));
+    }
+    for (const auto& [row, valid] : odd)
+        if (const Status done = set->bind(0, std::string_view(valid)).bind(1, row).run(); !done)
+            return done.error();
+    return std::ssize(odd);
+}
+
+/// How many texts of the new take were no UTF-8.
+Result<int64_t> mendTexts(const Database& database) {
+    int64_t mended = 0;
+    for (const TableDefinition& table : takeTables())
+        for (const ColumnDefinition& column : table.columns) {
+            if (!column.declaration.starts_with("TEXT"))
+                continue;
+            const Result<int64_t> texts = mendTextsOf(database, table.name, column.name);
+            if (!texts)
+                return texts;
+            mended += *texts;
+        }
+    return mended;
+}
+
 /// Of every table of a take.
 Result<TakeLosses> copyTables(const Database& database, const std::string& torn,
                               const std::set<std::string>& mended, const JobContext& job) {
@@ -267,7 +333,7 @@ Result<TakeLosses> copyTables(const Database& database, const std::string& torn,
     double done = 0;
     for (const TableDefinition& table : takeTables()) {
         job.progress(done++ / static_cast<double>(takeTables().size()), "Reading");
-        const Result<std::string> columns = columnsIn(database, table);
+        const Result<std::vector<ColumnDefinition>> columns = columnsIn(database, table);
         if (!columns)
             return inPlainWords(columns.error(), torn);
         if (columns->empty()) {
@@ -312,6 +378,10 @@ Result<TakeLosses> copyReadableRows(const std::string& torn, const std::string& 
             "DELETE FROM main.meta WHERE key='sample_count' AND EXISTS(SELECT 1 FROM main.adc_block)");
         !counted)
         return counted.error();
+    const Result<int64_t> mended_texts = mendTexts(*database);
+    if (!mended_texts)
+        return mended_texts.error();
+    losses->mended_texts = *mended_texts;
     if (const Status closed = database->close(); !closed)
         return closed.error();
     return losses;

@@ -83,20 +83,18 @@ Result<TakeCopy> TakeCopy::make(const std::string& original, const std::string& 
         return beingRecorded(original);
     TakeCopy copy(original, path, asidePath(path));
     if (Status copied = copyFile(original, copy.aside_, job); !copied)
-        return copied.error();
+        return copy.named(copied.error());
     const std::string log = original + "-wal";
     std::error_code ignored;
     if (std::filesystem::exists(log, ignored))
         if (Status copied = copyFile(log, copy.aside_ + "-wal", job); !copied)
-            return copied.error();
+            return copy.named(copied.error());
     return copy;
 }
 
 Error TakeCopy::named(Error error) const {
-    for (std::string* text : {&error.message, &error.remedy})
-        for (size_t at = 0; (at = text->find(aside_, at)) != std::string::npos; at += original_.size())
-            text->replace(at, aside_.size(), original_);
-    return error;
+    const std::string& path = error.kind == ErrorKind::kDisk ? path_ : original_;
+    return namedAs(std::move(error), aside_, path);
 }
 
 /// SQLite does not bring a log into a file that was cut off, but into one of the length that the log states.

@@ -20,7 +20,7 @@ public:
 
     /// Of the file to work on, for the time being.
     const std::string& path() const { return aside_; }
-    /// An error about that file, told about the original.
+    /// An error about that file, told about the original; of a full disk, about the file to be made.
     Error named(Error error) const;
     /// Brings what stands in a copied log into the file, so that it is complete by itself. Nobody may have it
     /// open. Only a file without a log beside it can be published. Works also where the file is damaged.

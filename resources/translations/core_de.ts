@@ -2507,6 +2507,10 @@
         <translation>%1: %2 von %3 Lagen fehlen oder haben nicht die Länge eins</translation>
     </message>
     <message>
+        <source>%1: %2 of %3 lack an axis and were left out</source>
+        <translation>%1: %2 von %3 fehlt eine Achse, sie wurden ausgelassen</translation>
+    </message>
+    <message>
         <source>%1: %2 of %3 rows lack a marker of a joint and were left out.</source>
         <translation>%1: in %2 von %3 Zeilen fehlt ein Marker eines Gelenks; sie wurden ausgelassen.</translation>
     </message>
@@ -2593,6 +2597,14 @@
     <message>
         <source>%1: its sensors state different rates</source>
         <translation>%1: die Sensoren nennen verschiedene Raten</translation>
+    </message>
+    <message>
+        <source>%1: its times of day have no date and jump back by %2 h; the clock was probably set back, but the next day is possible too</source>
+        <translation>%1: seine Uhrzeiten haben kein Datum und springen um %2 h zurück; wahrscheinlich wurde die Uhr zurückgestellt, aber auch der nächste Tag ist möglich</translation>
+    </message>
+    <message>
+        <source>%1: its times of day have no date, so a hole of %2 h is a guess; it may be longer by whole days</source>
+        <translation>%1: seine Uhrzeiten haben kein Datum, eine Lücke von %2 h ist also geschätzt; sie kann um ganze Tage länger sein</translation>
     </message>
     <message>
         <source>%1: more than half of %2 repeat the one before; the sensor may stand still or the file may hold fewer</source>
@@ -3531,6 +3543,10 @@
     <message>
         <source>Which ranges the share keeps: 0 by Welch's ratio, 1 greedy by the trace of the places' covariance, 2 greedy by its determinant.</source>
         <translation>Welche Entfernungen der Anteil behält: 0 nach Welchs Verhältnis, 1 gierig nach der Spur der Kovarianz der Orte, 2 gierig nach ihrer Determinante.</translation>
+    </message>
+    <message>
+        <source>`noctule --batch estimators` lists all</source>
+        <translation>`noctule --batch estimators` zeigt alle</translation>
     </message>
     <message>
         <source>a sample rate of %1 Hz is outside what boards can be received at</source>
@@ -5695,6 +5711,10 @@
         <translation>AND sample BETWEEN %1 AND %2</translation>
     </message>
     <message>
+        <source>AND typeof(</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Add the number of boards (1 to 32) to its meta table</source>
         <translation>Die Anzahl der Platinen (1 bis 32) in ihre Tabelle meta eintragen</translation>
     </message>
@@ -5705,6 +5725,10 @@
     <message>
         <source>All of it could be read</source>
         <translation>Alles ließ sich lesen</translation>
+    </message>
+    <message>
+        <source>All of it could be read%1</source>
+        <translation>Alles davon war lesbar%1</translation>
     </message>
     <message>
         <source>All that was found could be read</source>

@@ -151,6 +151,36 @@ TEST(Usage, ErrorsAreJsonTooWhenAskedFor) {
     EXPECT_NE(ran.err.find("nowhere.noctule"), std::string::npos);
 }
 
+TEST(Usage, FarWordsAreNotProposed) {
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{"simulate", "--frobnicate", "x"}, {"frobnicate"}}) {
+        const Ran ran = batch(words);
+        EXPECT_EQ(ran.exit_code, 2);
+        EXPECT_EQ(ran.err.find("Did you mean"), std::string::npos) << ran.err;
+    }
+}
+
+/// A name is no file that is read.
+TEST(Usage, ANameMayBeThatOfTheOutput) {
+    const Folder folder;
+    const std::string out = folder.file("x.csv");
+    const Ran ran = batch({"orient", kTinyTake, "--run-name", out, "--csv", out});
+    EXPECT_EQ(ran.err.find("is read and would be written"), std::string::npos) << ran.err;
+    expectRefusal({"orient", kTinyTake, "--calibration", out, "--csv", out}, 2, {out, "is read"});
+}
+
+TEST(Usage, AReaderThatHasEnoughIsNoError) {
+    int ends[2];
+    ASSERT_EQ(pipe(ends), 0);
+    close(ends[0]);
+    const std::string command = std::string("'") + NOCTULE_PROGRAM + "' --batch inspect '" + kTinyTake +
+                                "' 2>&1 >&" + std::to_string(ends[1]) + " | grep -q . && exit 99; '" +
+                                NOCTULE_PROGRAM + "' --batch inspect '" + kTinyTake + "' >&" +
+                                std::to_string(ends[1]);
+    EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 0) << "99: something was said";
+    close(ends[1]);
+}
+
 TEST(Usage, AFullStandardOutputIsADiskError) {
     if (!std::filesystem::exists("/dev/full"))
         GTEST_SKIP() << "no /dev/full";

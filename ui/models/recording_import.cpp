@@ -116,7 +116,7 @@ Result<RecordingTake> keepRecording(const RecordingToKeep& request, const Sessio
                                randomUuid(), false, session.current_performer},
                               stage.job());
         if (!written)
-            return written.error();
+            return namedAs(written.error(), unfinished.path(), path);
     }
     if (take.has_poses) {
         StagedProgress stage(job, 0.2, 1);
@@ -133,7 +133,9 @@ Result<RecordingTake> keepRecording(const RecordingToKeep& request, const Sessio
             return made.error();
         // The readings are worth keeping where no pose could be made of them.
         take.has_poses = made.ok();
-        take.warnings = made ? made->warnings : std::vector<std::string>{made.error().text() + "."};
+        take.warnings =
+            made ? made->warnings
+                 : std::vector<std::string>{namedAs(made.error(), unfinished.path(), path).text() + "."};
     }
     if (Status published = publishFile(unfinished.path(), path, false); !published)
         return published.error();

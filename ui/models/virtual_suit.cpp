@@ -67,7 +67,7 @@ Result<SampleOfSuit> sampleAt(const std::filesystem::path& path, const VirtualSu
     const std::string made = asidePath(path.string());
     const auto& make = role == VirtualSuit::Role::kAlone ? parts.make_take : parts.make_pair_take;
     if (const Status done = make(made, job); !done)
-        return done.error();
+        return namedAs(done.error(), made, path.string());
     if (const Status published = publishFile(made, path.string(), true); !published)
         return published.error();
     return readSample(path.string(), role);

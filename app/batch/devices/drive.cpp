@@ -262,18 +262,18 @@ Verb driveVerb() {
     verb.max_operands = 1;
     verb.example = "noctule --batch drive wave.noctule --robot g1.urdf --to udp://127.0.0.1:41950 --hold";
     verb.options = {
-        text("robot", "R.urdf", "the robot; a xacro file has to be expanded first").needed(),
+        inputFile("robot", "R.urdf", "the robot; a xacro file has to be expanded first").needed(),
         text("to", "ADDRESS", "the robot's interface: udp://HOST:PORT, or rosbridge://HOST:PORT (or ws://)")
             .needed(),
         text("device", "ADDRESS", "the suit: tcp://HOST:PORT, serial:///dev/ttyACM0 or replay:T.noctule"),
-        text("calibration", "C.json", "of the suit"),
-        text("actor", "A.json", "the performer who wears it"),
+        inputFile("calibration", "C.json", "of the suit"),
+        inputFile("actor", "A.json", "the performer who wears it"),
         number("rest-seconds", "S", 0, 3600, "the performer holds the rest pose so long at the beginning")
             .orElse("0"),
         text("run", "NAME", "which run of the take; else the last"),
         flag("repeat", "the take begins again after its end"),
-        text("profile", "P.json",
-             "how its arms answer to a performer's; else found by the robot's name, or made"),
+        inputFile("profile", "P.json",
+                  "how its arms answer to a performer's; else found by the robot's name, or made"),
         armsOption(),
         trunkOption(),
         choice("follow", {"posture", "hand"}, "the arm's posture, or the hand's way from where it engaged")

@@ -119,10 +119,10 @@ Verb recordVerb() {
                "with --trigger: the take begins so long before CaptureStart")
             .orElse("0"),
         choice("kind", {"motion", "jig", "level", "turntable"}, "what is recorded").orElse("motion"),
-        texts("suit", "S.json", "the suit as it is worn, matched by serial numbers; once per device"),
-        texts("calibration", "C.json",
-              "goes into the take; with it poses are made while recording; once per device"),
-        texts("actor", "A.json", "the performer; goes into the take; once per device"),
+        inputFiles("suit", "S.json", "the suit as it is worn, matched by serial numbers; once per device"),
+        inputFiles("calibration", "C.json",
+                   "goes into the take; with it poses are made while recording; once per device"),
+        inputFiles("actor", "A.json", "the performer; goes into the take; once per device"),
         texts("subject", "NAME", "who wears the suit; once per device"),
         number("rest-seconds", "S", 0, 3600, "the performer holds the rest pose so long at the beginning")
             .orElse("0"),

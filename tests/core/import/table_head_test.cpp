@@ -2,6 +2,8 @@
 // Where tables of other programs begin, as they write them: lines before, units below, dates as time.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/import/column_text.h"
 #include "core/import/import_format.h"
 #include "core/import/table_columns.h"
@@ -44,6 +46,12 @@ TEST(TableHead, ShimmersSecondLineOfUnitsIsRead) {
     EXPECT_NEAR(samples.rate_hz, 50, 1e-3);
     EXPECT_NEAR(samples.gyro_rad_per_s[0].x(), radians(10), 1e-9) << "slow, but stated as deg/s";
     EXPECT_EQ(samples.accel_m_per_s2[0], Vector3d(0, 0, 9.8)) << "the first of two accelerometers";
+    EXPECT_NE(
+        std::ranges::find(read.notes,
+                          "Read from S_1A_Accel_LN_X_CAL, S_1A_Accel_LN_Y_CAL, S_1A_Accel_LN_Z_CAL; left out "
+                          "is the same quantity in S_1A_Accel_WR_X_CAL, S_1A_Accel_WR_Y_CAL, "
+                          "S_1A_Accel_WR_Z_CAL, which a map can name instead"),
+        read.notes.end());
     EXPECT_EQ(samples.mag[0], Vector3d(0.5, 0, -0.8));
 }
 
@@ -86,6 +94,36 @@ TEST(TableHead, TimesOfDayGoOnBehindMidnight) {
     const ImportedRecording read = readAsGuessed(text);
     ASSERT_EQ(read.sensors.size(), 1u);
     EXPECT_EQ(read.sensors[0].samples.size(), 100u);
+}
+
+/// The day of a time of day is a guess where hours lie between two rows.
+TEST(TableHead, AHoleBetweenTimesOfDayIsSaidToBeAGuess) {
+    const auto warningsOf = [](const char* second_hour) {
+        std::string text = "time,Gyr_X (rad/s),Gyr_Y (rad/s),Gyr_Z (rad/s)\n";
+        for (const std::string& hour : {std::string("10"), std::string(second_hour)})
+            for (int i = 0; i < 30; ++i)
+                text += hour + ":00:" + std::to_string(10 + i) + ",0.1,0,0\n";
+        std::string all;
+        for (const std::string& warning : readAsGuessed(text).warnings)
+            all += warning + "\n";
+        return all;
+    };
+    EXPECT_NE(warningsOf("11").find("a hole of 0.99 h is a guess"), std::string::npos) << warningsOf("11");
+    EXPECT_NE(warningsOf("08").find("jump back by 2.01 h"), std::string::npos) << warningsOf("08");
+}
+
+TEST(TableHead, ARowThatLacksOneAxisIsSaid) {
+    std::string text = "time,Gyr_X (rad/s),Gyr_Y (rad/s),Gyr_Z (rad/s)\n";
+    for (int i = 0; i < 500; ++i)
+        text +=
+            std::to_string(0.01 * i) + (i == 7 ? ",0.1,,0.5\n" : ",0.1,0," + std::to_string(i % 9) + "\n");
+    const ImportedRecording read = readAsGuessed(text);
+    ASSERT_EQ(read.sensors.size(), 1u);
+    EXPECT_TRUE(read.sensors[0].samples.gyro_rad_per_s[7].array().isNaN().all());
+    EXPECT_TRUE(std::ranges::any_of(read.warnings, [](const std::string& warning) {
+        return warning.find("1 of 500") != std::string::npos &&
+               warning.find("lack an axis") != std::string::npos;
+    }));
 }
 
 TEST(TableHead, InstantsAreSecondsWhateverTheHeaderSays) {

@@ -112,6 +112,17 @@ TEST_F(AtomicFile, AFullDiskKeepsTheOldFile) {
     EXPECT_EQ(fileCount(), 1u);
 }
 
+TEST_F(AtomicFile, ErrorsNameTheFileThatWasAskedFor) {
+    const std::string aside = asidePath(path("result"));
+    const Status failed = publishFile(aside, path("result"), false);
+    ASSERT_FALSE(failed.ok());
+    EXPECT_TRUE(failed.error().message.starts_with(path("result") + ": ")) << failed.error().message;
+    const Error named =
+        namedAs({ErrorKind::kDisk, aside + ": the disk is full", "Free " + aside}, aside, path("result"));
+    EXPECT_EQ(named.message, path("result") + ": the disk is full");
+    EXPECT_EQ(named.remedy, "Free " + path("result"));
+}
+
 TEST_F(AtomicFile, FilesGetTheUsualPermissions) {
     put("usual", "x");
     ASSERT_TRUE(writeFileAtomically(path("ours"), "x", false).ok());

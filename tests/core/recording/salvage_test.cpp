@@ -120,6 +120,53 @@ TEST(DamagedTake, RowsOfEveryNumberAreSaved) {
     EXPECT_EQ(blocks(*take), blocks(*before));
 }
 
+/// SQLite would make the number 12 of the text, and keep the word where a number belongs.
+TEST(DamagedTake, RowsOfOtherTypesAreLostAndCounted) {
+    const Folder folder;
+    const std::string torn = test::tinyTake(folder), saved = folder.file("saved.noctule");
+    const int64_t notes = countRows(torn, "note");
+    test::runSql(torn,
+                 "DROP TABLE marker; CREATE TABLE marker(id INTEGER PRIMARY KEY, suit, sample, kind, label);"
+                 "INSERT INTO marker VALUES(1,1,100,'hand','good'),(2,1,'12','hand','text'),"
+                 "(3,1,'soon','hand','word'),(4,1,x'00','hand','bytes'),(5,1,NULL,'hand','nothing'),"
+                 "(6,1,200,7,'number')");
+    const auto done = copyReadableRows(torn, saved, {});
+    ASSERT_TRUE(done) << done.error().text();
+    ASSERT_EQ(done->tables.size(), 1u) << savedText(*done);
+    EXPECT_EQ(done->tables[0].table, "marker");
+    EXPECT_EQ(done->tables[0].saved, 1);
+    EXPECT_EQ(done->tables[0].lost, 5);
+    EXPECT_EQ(countRows(saved, "marker"), 1);
+    EXPECT_EQ(countRows(saved, "note"), notes);
+}
+
+TEST(DamagedTake, BytesThatAreNoTextAreMendedAndCounted) {
+    const Folder folder;
+    const std::string torn = test::tinyTake(folder), saved = folder.file("saved.noctule");
+    test::runSql(torn, "INSERT INTO note(created_utc,text) VALUES('2026-01-01', CAST(x'61ff62' AS TEXT))");
+    const auto done = copyReadableRows(torn, saved, {});
+    ASSERT_TRUE(done) << done.error().text();
+    EXPECT_EQ(done->mended_texts, 1);
+    EXPECT_NE(savedText(*done).find("in so many texts: 1"), std::string::npos) << savedText(*done);
+    const auto take = Take::open(saved);
+    ASSERT_TRUE(take) << take.error().text();
+    EXPECT_EQ(take->notes()->back().text,
+              "a\xef\xbf\xbd"
+              "b");
+}
+
+/// It says that fewer pages are free, so that removed rows would seem to be lost ones.
+TEST(DamagedTake, AListOfFreePagesThatIsOldBringsNoRowsBack) {
+    const Folder folder;
+    const std::string torn = test::tinyTake(folder), saved = folder.file("saved.noctule");
+    test::runSql(torn, "DELETE FROM reference WHERE rowid > (SELECT max(rowid)/2 FROM reference)");
+    const int64_t rows = countRows(torn, "reference");
+    overwrite(torn, 36, 4);  // how many they are
+    const auto done = recoverTake(torn, saved, {}, Error{ErrorKind::kUnreadable, "torn", "", true});
+    ASSERT_TRUE(done) << done.error().text();
+    EXPECT_EQ(countRows(saved, "reference"), rows);
+}
+
 TEST(DamagedTake, OfATakeWithoutItsFirstPageNothingIsSaved) {
     const Folder folder;
     std::string bytes = test::readBytes(test::kTinyTake);

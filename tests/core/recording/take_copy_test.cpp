@@ -55,7 +55,9 @@ TEST_F(TakeCopies, CopyIsGoneUnlessPublished) {
         ASSERT_TRUE(copy) << copy.error().text();
         aside = copy->path();
         EXPECT_TRUE(fs::exists(aside));
-        EXPECT_EQ(copy->named({ErrorKind::kDisk, aside + ": full", ""}).message, take + ": full");
+        EXPECT_EQ(copy->named({ErrorKind::kUnreadable, aside + ": torn", ""}).message, take + ": torn");
+        EXPECT_EQ(copy->named({ErrorKind::kDisk, aside + ": full", ""}).message,
+                  path("copy.noctule") + ": full");
     }
     EXPECT_FALSE(fs::exists(aside));
     EXPECT_FALSE(isThere("copy.noctule"));
