@@ -52,24 +52,26 @@ std::string partOf(const TableLoss& loss, const TakeLosses& losses) {
     return "about " + text::percent(saved / (saved + lost)) + " of " + contents;
 }
 
-}  // namespace
-
-std::string savedText(const TakeLosses& losses) {
-    const std::string mended =
-        losses.mended_texts > 0
-            ? ". Characters that could not be read are shown as \xef\xbf\xbd in so many texts: " +
-                  std::to_string(losses.mended_texts)
-            : "";
+std::string readText(const TakeLosses& losses) {
     if (losses.empty())
-        return mended.empty() ? "All of it could be read" : "All of it could be read" + mended;
+        return "All of it could be read";
     std::string parts;
     for (const TableLoss& loss : losses.tables)
         parts += (parts.empty() ? "" : ", ") + partOf(loss, losses);
     const std::string saved = parts.empty() ? "All that was found could be read"
                                             : "Saved of it: " + parts + "; everything else is complete";
-    return (losses.may_have_had_more ? saved + ". The list of what it had is damaged too, so more may be lost"
-                                     : saved) +
-           mended;
+    return losses.may_have_had_more ? saved + ". The list of what it had is damaged too, so more may be lost"
+                                    : saved;
+}
+
+}  // namespace
+
+std::string savedText(const TakeLosses& losses) {
+    const std::string saved = readText(losses);
+    return losses.mended_texts > 0
+               ? saved + ". Characters that could not be read are shown as � in so many texts: " +
+                     std::to_string(losses.mended_texts)
+               : saved;
 }
 
 }  // namespace noctule

@@ -56,7 +56,8 @@ std::string typeCheck(const ColumnDefinition& column) {
     std::string types = is_number ? "'integer','real'" : type.starts_with("BLOB") ? "'blob'" : "'text'";
     if (type.find("NOT NULL") == std::string_view::npos)
         types += ",'null'";
-    std::string check = " AND typeof(";
+    std::string check = " AND ";
+    check += "typeof(";
     check += column.name;
     check += ") IN(";
     check += types;

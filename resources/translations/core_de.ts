@@ -2959,6 +2959,10 @@
         <translation>Drehraten sind rad/s, Beschleunigungen m/s^2 mit Schwerkraft, wie MT Manager sie schreibt</translation>
     </message>
     <message>
+        <source>Read from %1; left out is the same quantity in %2, which a map can name instead</source>
+        <translation>Gelesen aus %1; ausgelassen ist dieselbe Größe in %2, die eine Zuordnung stattdessen nennen kann</translation>
+    </message>
+    <message>
         <source>Reading</source>
         <translation>Lesen</translation>
     </message>
@@ -5711,10 +5715,6 @@
         <translation>AND sample BETWEEN %1 AND %2</translation>
     </message>
     <message>
-        <source>AND typeof(</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Add the number of boards (1 to 32) to its meta table</source>
         <translation>Die Anzahl der Platinen (1 bis 32) in ihre Tabelle meta eintragen</translation>
     </message>
@@ -5725,10 +5725,6 @@
     <message>
         <source>All of it could be read</source>
         <translation>Alles ließ sich lesen</translation>
-    </message>
-    <message>
-        <source>All of it could be read%1</source>
-        <translation>Alles davon war lesbar%1</translation>
     </message>
     <message>
         <source>All that was found could be read</source>
