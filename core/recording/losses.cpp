@@ -69,7 +69,7 @@ std::string readText(const TakeLosses& losses) {
 std::string savedText(const TakeLosses& losses) {
     const std::string saved = readText(losses);
     return losses.mended_texts > 0
-               ? saved + ". Characters that could not be read are shown as � in so many texts: " +
+               ? saved + ". Characters that could not be read were replaced in so many texts: " +
                      std::to_string(losses.mended_texts)
                : saved;
 }

@@ -5567,6 +5567,10 @@
         <translation>%1 s von %2 s des Tons</translation>
     </message>
     <message>
+        <source>%1. Characters that could not be read were replaced in so many texts: %2</source>
+        <translation>%1. Nicht lesbare Zeichen wurden in so vielen Texten ersetzt: %2</translation>
+    </message>
+    <message>
         <source>%1. The list of what it had is damaged too, so more may be lost</source>
         <translation>%1. Auch das Verzeichnis ihres Inhalts ist beschädigt, es kann also mehr verloren sein</translation>
     </message>
