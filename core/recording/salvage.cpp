@@ -48,12 +48,14 @@ std::vector<RowPage> pagesOf(const Database& database, const std::string& torn, 
                                                       : std::vector<RowPage>();
 }
 
-/// Where the torn row's value has the column's type: SQLite lets anyone store anything, and would make a
-/// number of a text that looks like one.
+/// Where the torn row's value has the column's type: SQLite lets anyone store anything. A number in a text's
+/// place loses nothing when it becomes text.
 std::string typeCheck(const ColumnDefinition& column) {
     const std::string_view type(column.declaration);
     const bool is_number = type.starts_with("INTEGER") || type.starts_with("REAL");
-    std::string types = is_number ? "'integer','real'" : type.starts_with("BLOB") ? "'blob'" : "'text'";
+    std::string types = is_number                  ? "'integer','real'"
+                        : type.starts_with("BLOB") ? "'blob'"
+                                                   : "'text','integer','real'";
     if (type.find("NOT NULL") == std::string_view::npos)
         types += ",'null'";
     std::string check = " AND ";

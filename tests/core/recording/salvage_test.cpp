@@ -134,9 +134,9 @@ TEST(DamagedTake, RowsOfOtherTypesAreLostAndCounted) {
     ASSERT_TRUE(done) << done.error().text();
     ASSERT_EQ(done->tables.size(), 1u) << savedText(*done);
     EXPECT_EQ(done->tables[0].table, "marker");
-    EXPECT_EQ(done->tables[0].saved, 1);
-    EXPECT_EQ(done->tables[0].lost, 5);
-    EXPECT_EQ(countRows(saved, "marker"), 1);
+    EXPECT_EQ(done->tables[0].saved, 2) << "a number may stand for a text";
+    EXPECT_EQ(done->tables[0].lost, 4);
+    EXPECT_EQ(countRows(saved, "marker"), 2);
     EXPECT_EQ(countRows(saved, "note"), notes);
 }
 
