@@ -133,6 +133,7 @@ void ReadinessJudge::forgive() {
 
 void ReadinessJudge::judgeFit(const ReadinessFacts& facts, Readiness& readiness) const {
     readiness.lack = facts.lack;
+    readiness.is_room = facts.is_room;
     if (!facts.lack.isNone())
         addProblem(readiness, ProblemKind::kNotCalibrated, false);
     else if (facts.is_room)

@@ -102,6 +102,7 @@ struct Readiness {
     std::vector<bool> pair_is_good;  ///< source * boards + board
     int boards_there = 0, sources_heard = 0, good_pairs = 0;
     CalibrationLack lack{};
+    bool is_room = false;  ///< as in ReadinessFacts
 
     /// Calibrated, and checked since it was put on: only then may a screen say "Ready" or "Recording well".
     bool isFit() const;

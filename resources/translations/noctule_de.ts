@@ -3198,6 +3198,10 @@
         <source>Add</source>
         <translation>Hinzunehmen</translation>
     </message>
+    <message>
+        <source>Add these anchors</source>
+        <translation>Diese Anker hinzufügen</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::DialogFrame</name>
@@ -4274,6 +4278,10 @@
     <message>
         <source>Recording well</source>
         <translation>Nimmt gut auf</translation>
+    </message>
+    <message>
+        <source>Without calibration of %1: places of the anchors are found to decimetres only.</source>
+        <translation>Ohne Kalibrierung %1: Die Plätze der Anker werden nur auf Dezimeter gefunden.</translation>
     </message>
 </context>
 <context>
@@ -6553,33 +6561,6 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <translation>%1 von %2 Paaren</translation>
     </message>
     <message>
-        <source>%1 MB/s</source>
-        <translation>%1&#xa0;MB/s</translation>
-    </message>
-    <message>
-        <source>%1 is being connected</source>
-        <translation>%1 wird verbunden</translation>
-    </message>
-    <message>
-        <source>%1: the link is broken, the studio tries again</source>
-        <translation>%1: die Verbindung ist unterbrochen, das Studio versucht es wieder</translation>
-    </message>
-    <message>
-        <source>%1 does not answer</source>
-        <translation>%1 antwortet nicht</translation>
-    </message>
-    <message>
-        <source>%1: no sound arrives</source>
-        <translation>%1: kein Ton kommt an</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 streaming, %2, %n block(s) lost</source>
-        <translation>
-            <numerusform>%1 sendet, %2, %n Block verloren</numerusform>
-            <numerusform>%1 sendet, %2, %n Blöcke verloren</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>%1 min</source>
         <translation>%1&#xa0;min</translation>
     </message>
@@ -6799,6 +6780,14 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <source>%1: %2</source>
         <comment>a performer, sentences</comment>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>last known</source>
+        <translation>zuletzt bekannt</translation>
+    </message>
+    <message>
+        <source>Places of the anchors are found to decimetres only. Calibrate the source offsets, or import the calibration of this box.</source>
+        <translation>Die Plätze der Anker werden nur auf Dezimeter gefunden. Die Quellenversätze kalibrieren oder die Kalibrierung dieser Box importieren.</translation>
     </message>
 </context>
 <context>
@@ -9678,13 +9667,6 @@ Median; gut: unter %1</translation>
         <source>The walk ended by itself</source>
         <translation>Der Gang endete von selbst</translation>
     </message>
-    <message numerus="yes">
-        <source>Without anchor %1: the file lacks it, and in this take its place stays as it was.</source>
-        <translation>
-            <numerusform>Ohne Anker %1: Er fehlt in der Datei, und in dieser Aufnahme bleibt sein Platz, wie er war.</numerusform>
-            <numerusform>Ohne die Anker %1: Sie fehlen in der Datei, und in dieser Aufnahme bleiben ihre Plätze, wie sie waren.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Use anchor %1 again</source>
         <translation>Anker %1 wieder verwenden</translation>
@@ -9704,6 +9686,17 @@ Median; gut: unter %1</translation>
     <message>
         <source>The walk brought no take</source>
         <translation>Der Gang ergab keine Aufnahme</translation>
+    </message>
+    <message>
+        <source>Walk again</source>
+        <translation>Noch einmal gehen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Without anchor %1: the file lacks it, and in this take its place stays as it was. The other places stay as they were found with it; to find them without it, take it away and walk again.</source>
+        <translation>
+            <numerusform>Ohne Anker %1: Er fehlt in der Datei, und in dieser Aufnahme bleibt sein Platz, wie er war. Die anderen Plätze bleiben, wie sie mit ihm gefunden wurden; um sie ohne ihn zu finden, ihn wegnehmen und noch einmal gehen.</numerusform>
+            <numerusform>Ohne die Anker %1: Sie fehlen in der Datei, und in dieser Aufnahme bleiben ihre Plätze, wie sie waren. Die anderen Plätze bleiben, wie sie mit ihnen gefunden wurden; um sie ohne sie zu finden, sie wegnehmen und noch einmal gehen.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -10864,6 +10857,44 @@ Drehen, beide Richtungen x3</translation>
         <source>%1, read only: changes are not kept</source>
         <comment>name of the session</comment>
         <translation>%1, nur lesbar: Änderungen werden nicht behalten</translation>
+    </message>
+    <message>
+        <source>%1 MB/s</source>
+        <translation>%1&#xa0;MB/s</translation>
+    </message>
+    <message>
+        <source>%1 is being connected</source>
+        <translation>%1 wird verbunden</translation>
+    </message>
+    <message>
+        <source>%1: the link is broken, the studio tries again</source>
+        <translation>%1: die Verbindung ist unterbrochen, das Studio versucht es wieder</translation>
+    </message>
+    <message>
+        <source>%1 does not answer</source>
+        <translation>%1 antwortet nicht</translation>
+    </message>
+    <message>
+        <source>%1: no sound arrives</source>
+        <translation>%1: kein Ton kommt an</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n boxes streaming</source>
+        <translation>
+            <numerusform>%n Box sendet</numerusform>
+            <numerusform>%n Boxen senden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 streaming</source>
+        <translation>%1 sendet</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n block(s) lost</source>
+        <translation>
+            <numerusform>%n Block verloren</numerusform>
+            <numerusform>%n Blöcke verloren</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -335,13 +335,6 @@
 <context>
     <name>noctule::ui::ReadinessWords</name>
     <message numerus="yes">
-        <source>%1 streaming, %2, %n block(s) lost</source>
-        <translation>
-            <numerusform>%1 streaming, %2, %n block lost</numerusform>
-            <numerusform>%1 streaming, %2, %n blocks lost</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n boards send nothing</source>
         <translation>
             <numerusform>%n board sends nothing</numerusform>
@@ -567,10 +560,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>Without anchor %1: the file lacks it, and in this take its place stays as it was.</source>
+        <source>Without anchor %1: the file lacks it, and in this take its place stays as it was. The other places stay as they were found with it; to find them without it, take it away and walk again.</source>
         <translation>
-            <numerusform>Without anchor %1: the file lacks it, and in this take its place stays as it was.</numerusform>
-            <numerusform>Without anchors %1: the file lacks them, and in this take their places stay as they were.</numerusform>
+            <numerusform>Without anchor %1: the file lacks it, and in this take its place stays as it was. The other places stay as they were found with it; to find them without it, take it away and walk again.</numerusform>
+            <numerusform>Without anchors %1: the file lacks them, and in this take their places stay as they were. The other places stay as they were found with them; to find them without them, take them away and walk again.</numerusform>
         </translation>
     </message>
 </context>
@@ -656,6 +649,20 @@
         <translation>
             <numerusform>%n job finished</numerusform>
             <numerusform>%n jobs finished</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n boxes streaming</source>
+        <translation>
+            <numerusform>%n box streaming</numerusform>
+            <numerusform>%n boxes streaming</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n block(s) lost</source>
+        <translation>
+            <numerusform>%n block lost</numerusform>
+            <numerusform>%n blocks lost</numerusform>
         </translation>
     </message>
 </context>

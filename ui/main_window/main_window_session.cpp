@@ -107,14 +107,21 @@ void MainWindow::showSuit() {
     if (worst.check.lostSince().isValid())
         return top_bar_->showSuit(Tone::kError, linkBrokenInShort(), box);
     const bool waits = readiness.verdict == Readiness::Verdict::kWaiting;
-    const int boards_of_it = static_cast<int>(readiness.boards.size());
-    const bool all = readiness.boards_there == boards_of_it && readiness.problems.empty();
-    const Tone tone = waits                                                ? Tone::kNeutral
-                      : readiness.verdict == Readiness::Verdict::kNotReady ? Tone::kError
-                      : all                                                ? Tone::kOk
-                                                                           : Tone::kWarn;
-    const QString boards = tr("%1/%2 boards", "there, of all").arg(readiness.boards_there).arg(boards_of_it);
-    top_bar_->showSuit(tone, waits ? tr("Looking") : boards, box);
+    if (waits)
+        return top_bar_->showSuit(Tone::kNeutral, tr("Looking"), box);
+    const bool is_ready = readiness.verdict == Readiness::Verdict::kReady;
+    const bool all_fine = std::ranges::all_of(readiness.boards, [](const BoardReadiness& board) {
+        return board.state == BoardReadiness::State::kFine;
+    });
+    // The count is coloured by boards alone; what else hinders is named.
+    if (all_fine && !is_ready && !readiness.problems.empty())
+        return top_bar_->showSuit(Tone::kError, wordsOf(readiness.problems.front(), worst.check).title, box);
+    const QString boards =
+        tr("%1/%2 boards", "there, of all").arg(readiness.boards_there).arg(readiness.boards.size());
+    top_bar_->showSuit(all_fine   ? Tone::kOk
+                       : is_ready ? Tone::kWarn
+                                  : Tone::kError,
+                       boards, box, !readiness.problems.empty());
 }
 
 void MainWindow::open(const QString& path) {

@@ -124,15 +124,51 @@ QString StatusLine::sessionWords() const {
         .arg(QString::fromStdString(studio_.parts().software).section(' ', 1));
 }
 
+/// "NB-000123 streaming, 5.4 MB/s, 0 blocks lost"; of several boxes that stream, of all of them.
+QString StatusLine::linkWords() const {
+    const LiveSuits& suits = studio_.suits();
+    const LiveSuit& suit = studio_.suit();
+    const auto status = suit.status();
+    const QString name = status->hello ? QString::fromStdString(status->hello->serial) : suit.address();
+    switch (status->link) {
+        case LinkState::kClosed:
+            return {};
+        case LinkState::kOpening:
+            return tr("%1 is being connected").arg(name);
+        case LinkState::kLost:
+            return tr("%1: the link is broken, the studio tries again").arg(name);
+        case LinkState::kRefused:
+            return tr("%1 does not answer").arg(name);
+        case LinkState::kStalled:
+            return tr("%1: no sound arrives").arg(name);
+        default:
+            break;
+    }
+    int streaming = 0;
+    int64_t lost = 0;
+    for (const SuitInUse* worn : suits.connected()) {
+        streaming += worn->suit.status()->link == LinkState::kStreaming;
+        lost += worn->suit.link().frames.losses();
+    }
+    QStringList words{streaming > 1 ? tr("%n boxes streaming", nullptr, streaming)
+                                    : tr("%1 streaming").arg(name)};
+    if (const auto bytes_per_s = suits.measuredBytesPerSecond())
+        words << tr("%1 MB/s").arg(numberText(*bytes_per_s * 1e-6, 1));
+    words << tr("%n block(s) lost", nullptr, static_cast<int>(lost));
+    return words.join(QStringLiteral(", "));
+}
+
 /// How the link fares, and the climate that the speed of sound is taken from; empty without a suit.
 QString StatusLine::suitWords() const {
     const LiveSuit& suit = studio_.suit();
     if (suit.phase() == LiveSuit::Phase::kNone)
         return {};
-    QStringList words{linkSentence(suit, studio_.check().bytesPerSecond())};
+    QStringList words{linkWords()};
     if (const auto frame = suit.frame(); frame && frame->health.suit.temperature_c) {
         const SuitStatus& box = frame->health.suit;
         words << tr("%1 °C").arg(numberText(*box.temperature_c, 1));
+        if (suit.isSilent())
+            words.back().prepend(lastKnownInShort() + ' ');
         if (box.humidity_percent)
             words << tr("humidity %1").arg(percentText(*box.humidity_percent / 100));
     }

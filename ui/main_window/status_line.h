@@ -46,6 +46,7 @@ private:
     void showOpen();
     void showStorage();
     QString sessionWords() const;
+    QString linkWords() const;
     QString suitWords() const;
 
     Studio& studio_;

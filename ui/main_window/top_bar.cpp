@@ -144,18 +144,19 @@ void TopBar::showRecordButton() {
     record_->setVisible(step_ != Step::kRecord && (records_ || step_ != Step::kStart));
 }
 
-void TopBar::showSuit(Tone tone, const QString& state, const QString& name) {
+void TopBar::showSuit(Tone tone, const QString& state, const QString& name, bool needs_attention) {
     const bool connected = !name.isEmpty();
     const QString words = connected ? state : tr("No suit");
+    const StepBar::State step = !connected                              ? StepBar::State::kOpen
+                                : tone == Tone::kOk && !needs_attention ? StepBar::State::kDone
+                                                                        : StepBar::State::kAttention;
+    steps_->setState(indexOf(Step::kConnect), step);
     if (suit_->text() == words && suit_->tone() == tone && box_->text() == name)
         return;
     suit_->setState(tone, words, tone == Tone::kNeutral ? "board" : QString());
     suit_->setToolTip(connected ? state + QLatin1Char('\n') + tr("Boards that are there. Opens Connect.")
                                 : tr("No suit is connected. Opens Connect."));
     box_->setState(Tone::kNeutral, name, "link");
-    steps_->setState(indexOf(Step::kConnect), !connected          ? StepBar::State::kOpen
-                                              : tone == Tone::kOk ? StepBar::State::kDone
-                                                                  : StepBar::State::kAttention);
     foldWhereNarrow();
 }
 

@@ -36,8 +36,9 @@ public:
     /// How long the take runs; absent: none does. Seen on every page but Record, which has the clock itself.
     void showRecording(std::optional<double> seconds);
     Button& recordButton() { return *record_; }
-    /// "17/18 boards", and the box; without a name no suit is connected.
-    void showSuit(Tone tone, const QString& state, const QString& name);
+    /// "17/18 boards", and the box; without a name no suit is connected. `needs_attention`: the step Connect
+    /// is marked, also where the boards are good.
+    void showSuit(Tone tone, const QString& state, const QString& name, bool needs_attention = false);
 
     /// Position of a step in the bar, -1 for pages that are none.
     static int indexOf(Step step);

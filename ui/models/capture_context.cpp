@@ -154,7 +154,7 @@ void CaptureContext::followSuit(SuitInUse& worn) {
     const QString& address = worn.suit.address();
     const bool is_virtual = address == virtual_suit_.address() || address == second_virtual_suit_.address();
     if (worn.suit.phase() == LiveSuit::Phase::kReady && !is_virtual && worn.suit.status()->hello)
-        finder_.remember(captureText(worn.suit.status()->hello->serial));
+        finder_.remember(captureText(worn.suit.status()->hello->serial), worn.suit.suit().isFixed());
 }
 
 void CaptureContext::followVirtualSuits() {

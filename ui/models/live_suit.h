@@ -78,6 +78,8 @@ public:
     /// Of the take being recorded.
     std::optional<RecorderState> recording() const;
     double recordedSeconds() const;
+    /// Of the stream or take that began last, processed or not, on its clock.
+    int64_t reachedSample() const { return live_ ? live_->reachedSample() : 0; }
     link::LinkStatistics link() const;
     /// As it is worn: the performer's suit where the serial numbers agree, else as the box says.
     const Suit& suit() const { return wearing_.suit; }

@@ -107,6 +107,8 @@ public:
     StorageWatch& storage() { return storage_; }
     /// Of the sound of all that are connected; without one of the usual suit.
     double bytesPerSecond() const;
+    /// Of the sound that arrives from all of them; absent until it was measured of each that sends.
+    std::optional<double> measuredBytesPerSecond() const;
     /// How long all of them can be recorded, while they are at the rate so far; absent: not known.
     std::optional<double> storageLeft_s() const;
     /// Second of the take that it stands at. It is with the first performer, where readers look for it.

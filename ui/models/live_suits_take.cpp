@@ -222,6 +222,19 @@ double LiveSuits::bytesPerSecond() const {
     return bytes_per_s > 0 ? bytes_per_s : kUsualBytesPerSecond;
 }
 
+std::optional<double> LiveSuits::measuredBytesPerSecond() const {
+    std::optional<double> bytes_per_s;
+    for (const SuitInUse* worn : connected()) {
+        if (worn->suit.isSilent() || !worn->suit.status()->stream_is_open)
+            continue;
+        const auto one_per_s = worn->check.bytesPerSecond();
+        if (!one_per_s)
+            return std::nullopt;
+        bytes_per_s = bytes_per_s.value_or(0) + *one_per_s;
+    }
+    return bytes_per_s;
+}
+
 std::optional<double> LiveSuits::storageLeft_s() const {
     if (group_)
         if (const auto left_s = group_->remaining_s())

@@ -38,7 +38,7 @@ void SuitCheck::follow() {
         nothing_since_ = {};
         is_lost_ = false;
         rate_from_sample_ = -1;
-        bytes_per_s_ = 0;
+        bytes_per_s_.reset();
         timer_.start();
         judge();
     }
@@ -104,20 +104,24 @@ void SuitCheck::setChecked(std::optional<bool> is_good) {
     judge();
 }
 
+/// Each stream and each take counts its samples anew.
 void SuitCheck::measureRate() {
     constexpr qint64 kOver_ms = 900;
-    const auto frame = suit_.frame();
     const auto hello = suit_.status()->hello;
-    if (!frame || !hello)
-        return;
-    if (rate_from_sample_ < 0 || frame->sample < rate_from_sample_) {
-        rate_from_sample_ = frame->sample;
+    const int64_t sample = suit_.reachedSample();
+    if (!hello || sample <= 0 || suit_.isSilent() || sample < rate_from_sample_) {
+        rate_from_sample_ = -1;
+        bytes_per_s_.reset();
+    } else if (rate_from_sample_ < 0) {
+        rate_from_sample_ = sample;
         rate_clock_.start();
     } else if (rate_clock_.elapsed() > kOver_ms) {
         const double seconds = static_cast<double>(rate_clock_.restart()) * 1e-3;
-        bytes_per_s_ =
-            2.0 * hello->boardCount() * static_cast<double>(frame->sample - rate_from_sample_) / seconds;
-        rate_from_sample_ = frame->sample;
+        const auto samples = static_cast<double>(sample - rate_from_sample_);
+        bytes_per_s_.reset();
+        if (samples > 0)
+            bytes_per_s_ = 2.0 * hello->boardCount() * samples / seconds;
+        rate_from_sample_ = sample;
     }
 }
 

@@ -35,8 +35,8 @@ public:
     /// Since when no sound arrives, broken link or not; invalid while it does.
     QTime nothingSince() const { return nothing_since_; }
     std::optional<double> batteryLeft_s() const { return battery_.left_s(); }
-    /// Of sound that arrives now, as measured.
-    double bytesPerSecond() const { return bytes_per_s_; }
+    /// Of sound that arrives now; absent until it was measured, and while nothing arrives.
+    std::optional<double> bytesPerSecond() const { return bytes_per_s_; }
 
     /// Whether the last check of this wearing was good; absent: none was made.
     void setChecked(std::optional<bool> is_good);
@@ -71,7 +71,7 @@ private:
     QElapsedTimer clock_;
     int64_t rate_from_sample_ = -1;
     QElapsedTimer rate_clock_;
-    double bytes_per_s_ = 0;
+    std::optional<double> bytes_per_s_;
     QTimer timer_;
 };
 

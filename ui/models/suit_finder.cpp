@@ -105,6 +105,7 @@ KnownSuit SuitFinder::knownOf(const FoundDevice& device) {
     const QString key = keyFor(serial);
     suit.colour = colourOf(key);
     suit.name = settings_.value(key + "/name", suit.name).toString();
+    suit.is_room = settings_.value(key + "/room").toBool();
     if (settings_.value(key + "/remembered").toBool()) {
         settings_.setValue(key + "/address", wordsOfDevice(device.address));
         settings_.setValue(key + "/model", wordsOfDevice(device.model));
@@ -191,10 +192,11 @@ void SuitFinder::rename(const QString& serial, const QString& name) {
     renew();
 }
 
-void SuitFinder::remember(const QString& serial) {
+void SuitFinder::remember(const QString& serial, bool is_room) {
     if (serial.isEmpty())
         return;
     settings_.setValue(keyFor(serial) + "/remembered", true);
+    settings_.setValue(keyFor(serial) + "/room", is_room);
     renew();
 }
 

@@ -18,9 +18,10 @@ namespace noctule::ui {
 /// A device with what is remembered of it by its serial number.
 struct KnownSuit {
     FoundDevice device;
-    QString name;         ///< the operator's own, else the box's, else its serial number or address
-    int colour = -1;      ///< which of kSuitColours, the same at every meeting; -1: nobody has answered yet
-    bool present = true;  ///< false: remembered, not here now
+    QString name;          ///< the operator's own, else the box's, else its serial number or address
+    int colour = -1;       ///< which of kSuitColours, the same at every meeting; -1: nobody has answered yet
+    bool present = true;   ///< false: remembered, not here now
+    bool is_room = false;  ///< anchors that nobody wears, as it was when it was connected last
 
     /// The name in the language of the studio, where it is the one that boxes give themselves.
     QString shownName() const;
@@ -52,7 +53,7 @@ public:
     void lookAgain();
     void rename(const QString& serial, const QString& name);
     /// Shows it also when it is not here.
-    void remember(const QString& serial);
+    void remember(const QString& serial, bool is_room = false);
     void forget(const QString& serial);
 
 signals:

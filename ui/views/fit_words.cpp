@@ -71,6 +71,10 @@ QString whyNotCheck(const CalibrationLack& lack) {
 QString fitSentence(const Readiness& readiness) {
     const CalibrationLack& lack = readiness.lack;
     if (has(readiness, ProblemKind::kNotCalibrated)) {
+        if (readiness.is_room)
+            return FitText::tr(
+                       "Without calibration of %1: places of the anchors are found to decimetres only.")
+                .arg(lackWords(lack));
         if (lack.isTotal())
             return FitText::tr("Not calibrated: the body cannot move yet.");
         return lack.stopsTheBody()

@@ -153,11 +153,14 @@ HindranceWords aboutSupplies(const ReadinessProblem& problem, const SuitCheck& c
 
 HindranceWords aboutFit(const ReadinessProblem& problem, const SuitCheck& check) {
     const CalibrationLack& lack = check.readiness().lack;
+    const bool is_room = check.readiness().is_room;
     if (problem.kind == ProblemKind::kNotCalibrated)
         return {
-            lack.isTotal() ? ReadinessText::tr("The suit is not calibrated")
-                           : ReadinessText::tr("Without calibration of %1").arg(lackWords(lack)),
-            lack.stopsTheBody()
+            lack.isTotal() && !is_room ? ReadinessText::tr("The suit is not calibrated")
+                                       : ReadinessText::tr("Without calibration of %1").arg(lackWords(lack)),
+            is_room ? ReadinessText::tr("Places of the anchors are found to decimetres only. Calibrate the "
+                                        "source offsets, or import the calibration of this box.")
+            : lack.stopsTheBody()
                 ? ReadinessText::tr("Takes can be recorded and processed once it is calibrated; until then "
                                     "nobody sees whether they are good. Calibrate it, or import its "
                                     "calibration.")
@@ -399,29 +402,12 @@ QString boardDetail(const SuitCheck& check, int board) {
         .arg(check.readiness().source_good_pairs.size());
 }
 
-QString linkSentence(const LiveSuit& suit, double bytes_per_s) {
-    const auto status = suit.status();
-    const QString name = status->hello ? QString::fromStdString(status->hello->serial) : suit.address();
-    const QString rate = ReadinessText::tr("%1 MB/s").arg(numberText(bytes_per_s * 1e-6, 1));
-    const int lost = static_cast<int>(suit.link().frames.losses());
-    switch (status->link) {
-        case LinkState::kClosed:
-            return {};
-        case LinkState::kOpening:
-            return ReadinessText::tr("%1 is being connected").arg(name);
-        case LinkState::kLost:
-            return ReadinessText::tr("%1: the link is broken, the studio tries again").arg(name);
-        case LinkState::kRefused:
-            return ReadinessText::tr("%1 does not answer").arg(name);
-        case LinkState::kStalled:
-            return ReadinessText::tr("%1: no sound arrives").arg(name);
-        default:
-            return ReadinessText::tr("%1 streaming, %2, %n block(s) lost", nullptr, lost).arg(name, rate);
-    }
-}
-
 QString linkBrokenInShort() {
     return ReadinessText::tr("Link broken");
+}
+
+QString lastKnownInShort() {
+    return ReadinessText::tr("last known");
 }
 
 Tone toneOfStorage(double left_s) {

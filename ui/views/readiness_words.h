@@ -38,10 +38,10 @@ VerdictWords verdictOf(const LiveSuits& suits);
 QString boardDetail(const SuitCheck& check, int board);
 Tone toneOf(BoardReadiness::State state);
 
-/// "NB-000123 streaming, 5.4 MB/s, 0 blocks lost"; empty without a suit.
-QString linkSentence(const LiveSuit& suit, double bytes_per_s);
 /// For a chip: "Link broken".
 QString linkBrokenInShort();
+/// Beside what a silent suit told last: battery and climate. Other numbers of it are not known then.
+QString lastKnownInShort();
 /// "3 h 20 min", "45 min", "50 s"
 QString durationWords(double seconds);
 /// Of how long can still be recorded.

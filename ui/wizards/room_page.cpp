@@ -68,6 +68,7 @@ RoomPage::RoomPage(Studio& studio, QWidget* parent)
       error_(new MeasureMeter(MeasureMeter::Value::kBelow)),
       agreement_(new MeasureMeter(MeasureMeter::Value::kBelow)),
       words_(new Label({}, TextRole::kSecondary, Ink::kLabel)),
+      why_no_walk_(new Label({}, TextRole::kSecondary, Ink::kHint)),
       walk_button_(makeButton(ButtonKind::kOutlined, tr("Walk and survey"), "record")),
       survey_(makeButton(ButtonKind::kOutlined, tr("Survey again"), "redo")),
       use_(makeButton(ButtonKind::kPrimary, tr("Use these places"))),
@@ -158,8 +159,10 @@ QWidget* RoomPage::makeSide() {
     auto* foot = new QWidget;
     auto* foot_column = makeColumn(foot, {12, 8, 12, 12}, 8);
     foot_column->addWidget(words_->wrapped());
-    for (Button* button : {use_, process_, save_, walk_button_})
+    for (Button* button : {use_, process_, save_})
         foot_column->addWidget(button);
+    foot_column->addWidget(why_no_walk_->wrapped());
+    foot_column->addWidget(walk_button_);
     auto* row = addRow(foot_column, 8);
     row->addWidget(survey_);
     row->addStretch();
@@ -215,19 +218,24 @@ void RoomPage::refreshButtons() {
     use_->setVisible(is_placed && !run_->isInUse());
     process_->setVisible(!walks && phase == kResult && run_->isInUse());
     save_->setVisible(is_placed);
-    walk_button_->setText(walks ? tr("End the walk") : tr("Walk and survey"));
+    const bool is_without =
+        phase == kResult && std::ranges::any_of(run_->result().survey.anchors, &SurveyedAnchor::left_out);
+    walk_button_->setText(walks ? tr("End the walk") : is_without ? tr("Walk again") : tr("Walk and survey"));
     walk_button_->setIconName(walks ? "stop" : "record");
 }
 
 /// Whether a walk can begin, and why not.
 void RoomPage::refreshReadiness() {
-    if (walk_->isRunning())
+    const bool walks = walk_->isRunning();
+    const QString why_not = walks ? QString() : walk_->whyNotBegin();
+    why_no_walk_->setText(opens_walked_ ? QString() : why_not);
+    why_no_walk_->setVisible(!why_no_walk_->text().isEmpty());
+    if (walks)
         return walk_button_->setDisabledBecause(
             walk_->phase() == RoomWalk::Phase::kSaving ? tr("The take is being saved.") : QString());
-    const QString why_not = walk_->whyNotBegin();
     walk_button_->setDisabledBecause(why_not);
     if (run_->phase() == RoomRun::Phase::kNoTake)
-        words_->setText(opens_walked_ ? QString() : why_not.isEmpty() ? walk_->caution() : why_not);
+        words_->setText(opens_walked_ || !why_not.isEmpty() ? QString() : walk_->caution());
     const bool is_possible = walk_->isPossible();
     const QString sentence =
         is_possible
@@ -352,8 +360,10 @@ void RoomPage::showResult() {
     if (!left_out.isEmpty())
         words_->setText(
             words_->text() + ' ' +
-            tr("Without anchor %1: the file lacks it, and in this take its place stays as it was.", nullptr,
-               int(left_out.size()))
+            tr("Without anchor %1: the file lacks it, and in this take its place stays as it was. The other "
+               "places stay as they were found with it; to find them without it, take it away and walk "
+               "again.",
+               nullptr, int(left_out.size()))
                 .arg(left_out.join(", ")));
 }
 

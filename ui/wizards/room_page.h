@@ -91,7 +91,7 @@ private:
     JobProgress* progress_;
     QBoxLayout *walk_trouble_ = nullptr, *findings_ = nullptr, *anchors_ = nullptr;
     MeasureMeter *heard_, *error_, *agreement_;
-    Label* words_;
+    Label *words_, *why_no_walk_;
     Button *walk_button_, *survey_, *use_, *process_, *save_, *leave_;
 };
 

@@ -30,6 +30,14 @@ Suit placedInto(Suit room, const Suit& places) {
 
 }  // namespace
 
+Error namingTake(Error error, const std::string& take_path) {
+    const QString path = QString::fromStdString(take_path);
+    const QString name = QFileInfo(path).completeBaseName();
+    for (std::string* words : {&error.message, &error.remedy})
+        *words = QString::fromStdString(*words).replace(path, name).toStdString();
+    return error;
+}
+
 RoomRun::RoomRun(Studio& studio, QObject* parent) : QObject(parent), studio_(studio) {
     connect(&studio.take(), &TakeDocument::opened, this, &RoomRun::follow);
     connect(&studio.session(), &SessionModel::takeRenamed, this,
@@ -102,7 +110,7 @@ void RoomRun::accept(Result<SurveyedTake> result) {
     if (result)
         all_ = result_ = std::make_shared<const SurveyedTake>(std::move(*result));
     else if (result.error().kind != ErrorKind::kCancelled)
-        error_ = result.error();
+        error_ = namingTake(result.error(), path_.toStdString());
 }
 
 bool RoomRun::isInUse() const {

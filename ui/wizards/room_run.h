@@ -12,6 +12,9 @@
 
 namespace noctule::ui {
 
+/// The error of a survey with the take's name instead of its path.
+Error namingTake(Error error, const std::string& take_path);
+
 class RoomRun : public QObject {
     Q_OBJECT
 public:

@@ -7,6 +7,7 @@
 #include "core/processing/room_evidence.h"
 #include "ui/models/voice.h"
 #include "ui/wizards/room_drawing.h"
+#include "ui/wizards/room_run.h"
 
 namespace noctule::ui {
 namespace {
@@ -209,7 +210,7 @@ void RoomWalk::startSurvey(const std::string& path) {
             else if (surveyed.error().kind == ErrorKind::kCancelled)
                 return surveyed.error();
             else
-                so_far.hindrance = surveyed.error();
+                so_far.hindrance = namingTake(surveyed.error(), request.take_path);
             return so_far;
         },
         [self = QPointer(this), surveying = ++surveying_](Result<SoFar> so_far) -> QString {

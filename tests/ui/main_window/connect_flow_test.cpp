@@ -61,6 +61,38 @@ TEST_F(ConnectFlow, FromLaunchToReadyInTwoClicksAndOnToRecord) {
     EXPECT_EQ(chips(), QStringList{"No suit"});
 }
 
+TEST_F(ConnectFlow, TheCountOfBoardsIsGreenWhereAllAreThereWhateverElseIsToKnow) {
+    const noctule::test::TestBox box({.loops = true});
+    studio_->suit().connectTo(QString::fromStdString(box.address()));
+    window_->goTo(Step::kConnect);
+    ASSERT_TRUE(waitFor([this] { return chips() == QStringList{"2/2 boards", "NB-000777"}; }));
+    EXPECT_FALSE(studio_->check().readiness().problems.empty()) << "it is not calibrated";
+    const auto all = window_->topBar().findChildren<Chip*>();
+    const auto chip = std::ranges::find(all, "2/2 boards", [](const Chip* one) { return one->text(); });
+    ASSERT_NE(chip, all.end());
+    EXPECT_EQ((*chip)->tone(), Tone::kOk);
+    EXPECT_EQ(window_->topBar().steps().state(TopBar::indexOf(Step::kConnect)), StepBar::State::kAttention);
+}
+
+TEST_F(ConnectFlow, NothingThatASilentSuitToldLooksAsIfItWereCurrent) {
+    noctule::test::TestBox box({.loops = true});
+    studio_->suit().connectTo(QString::fromStdString(box.address()));
+    const auto bottom = [this] { return window_->statusLine().openText(); };
+    QStringList told;
+    ASSERT_TRUE(waitFor([&] {
+        told << bottom();
+        return bottom().contains("MB/s") && bottom().contains(QString::fromUtf8("°C"));
+    }));
+    EXPECT_TRUE(told.filter("0.0").isEmpty()) << "no rate before it was measured";
+    EXPECT_FALSE(bottom().contains("last known"));
+    box.freeze(true);
+    box.cut();
+    ASSERT_TRUE(
+        waitFor([&] { return bottom().contains("the link is broken") || bottom().contains("no sound"); }));
+    EXPECT_TRUE(bottom().contains("last known")) << bottom().toStdString();
+    EXPECT_FALSE(bottom().contains("MB/s"));
+}
+
 TEST_F(ConnectFlow, TheDockKeepsItsWidthAsCardsCome) {
     for (const int width : {1280, 1440}) {
         window_->resize(width, 800);

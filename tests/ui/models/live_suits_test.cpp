@@ -186,6 +186,66 @@ TEST_F(LiveSuitsTest, ABoxThatIsLostEndsNothingAndIsNamed) {
     EXPECT_EQ(take.subjects()->size(), 2u);
 }
 
+/// What endOfTake() makes of reports of two boxes, one of which was cut off and came back.
+TEST_F(LiveSuitsTest, ABoxThatIsCutOffAndComesBackIsNoTroubleOfTheTake) {
+    openSession();
+    ASSERT_TRUE(connectBoth());
+    QSignalSpy ended(suits_.get(), &LiveSuits::recordingEnded);
+    ASSERT_TRUE(recordFor(0.5));
+    bob_->cut();
+    ASSERT_TRUE(waitFor([&] { return second().suit.status()->reconnections == 1; }));
+    const double then_s = second().suit.recordedSeconds();
+    ASSERT_TRUE(waitFor([&] { return second().suit.recordedSeconds() > then_s + 0.5; })) << "it goes on";
+    EXPECT_EQ(ended.count(), 0);
+    suits_->stopRecording();
+    ASSERT_TRUE(waitFor([&] { return ended.count() == 1; }));
+    EXPECT_EQ(ended[0][1].toString(), "");
+    ASSERT_EQ(session_.session().takes.size(), 1u);
+    EXPECT_EQ(session_.session().takes[0].state, TakeState::kComplete);
+    EXPECT_GE(recordedTake().sampleCount(2).value(), 150'000);
+}
+
+/// The same where one is cut by its power, and then the other: nobody has stopped the take.
+TEST_F(LiveSuitsTest, ATakeWhoseBoxesHaveAllRestartedEndsByItselfAndSaysWhy) {
+    openSession();
+    ASSERT_TRUE(connectBoth());
+    QSignalSpy ended(suits_.get(), &LiveSuits::recordingEnded);
+    ASSERT_TRUE(recordFor(0.5));
+    bob_->restart();
+    ASSERT_TRUE(waitFor([&] { return !second().suit.status()->stream_is_open; }));
+    const double then_s = first().suit.recordedSeconds();
+    ASSERT_TRUE(waitFor([&] { return first().suit.recordedSeconds() > then_s + 0.5; }));
+    EXPECT_EQ(suits_->phase(), SuitsPhase::kRecording);
+    EXPECT_EQ(ended.count(), 0);
+    ann_->restart();
+    ASSERT_TRUE(waitFor([&] { return ended.count() == 1; }));
+    const QString trouble = ended[0][1].toString();
+    EXPECT_NE(trouble, "");
+    EXPECT_FALSE(trouble.contains("the take was removed")) << trouble.toStdString();
+    ASSERT_EQ(session_.session().takes.size(), 1u);
+    EXPECT_EQ(session_.session().takes[0].state, TakeState::kComplete);
+    for (const int suit : {1, 2})
+        EXPECT_GE(recordedTake().sampleCount(suit).value(), 75'000);
+}
+
+TEST_F(LiveSuitsTest, TheRateThatIsMeasuredIsOfAllBoxesOfATake) {
+    openSession();
+    bob_ = std::make_unique<TestBox>(
+        TestBox::Options{.loops = true, .serial = "NB-000002", .drive_hz = 48000, .fixed = true});
+    ASSERT_TRUE(connectBoth());
+    ASSERT_TRUE(recordFor(0.2));
+    ASSERT_TRUE(waitFor([&] { return second().check.bytesPerSecond().has_value(); }))
+        << "of a room, of which nothing is processed while it is recorded";
+    ASSERT_TRUE(waitFor([&] { return suits_->measuredBytesPerSecond().has_value(); }));
+    EXPECT_GT(*first().check.bytesPerSecond(), 0);
+    EXPECT_GT(*second().check.bytesPerSecond(), 0);
+    EXPECT_EQ(*suits_->measuredBytesPerSecond(),
+              *first().check.bytesPerSecond() + *second().check.bytesPerSecond());
+    QSignalSpy ended(suits_.get(), &LiveSuits::recordingEnded);
+    suits_->stopRecording();
+    ASSERT_TRUE(waitFor([&] { return ended.count() == 1; }));
+}
+
 TEST_F(LiveSuitsTest, AnchorsAreRecordedAsTheRoom) {
     openSession();
     bob_ = std::make_unique<TestBox>(

@@ -66,6 +66,18 @@ TEST_F(SuitFinderTest, TheNameThatABoxGivesItselfIsInTheLanguageOfTheStudio) {
     test::speak("en");
 }
 
+TEST_F(SuitFinderTest, ABoxOfAnchorsIsKnownAgain) {
+    Answerer box(testAnnouncement());
+    SuitFinder finder(settings_);
+    finder.start({box.port(), false});
+    ASSERT_TRUE(waitFor([&] { return finder.suits().size() == 1; }));
+    EXPECT_FALSE(finder.suits()[0].is_room);
+    finder.remember("NB-000777", true);
+    EXPECT_TRUE(finder.suits()[0].is_room);
+    finder.remember("NB-000777");
+    EXPECT_FALSE(finder.suits()[0].is_room) << "somebody wears it now";
+}
+
 TEST_F(SuitFinderTest, OneThatWasConnectedIsShownWhenItIsAway) {
     Answerer box(testAnnouncement());
     {

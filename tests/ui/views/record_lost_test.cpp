@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // What step Record shows of a suit whose link breaks while it is recorded.
+#include <QLabel>
+
 #include "core/live/heard_window.h"
 #include "tests/ui/views/record_fixture.h"
 #include "ui/plots/level_meters.h"
 #include "ui/plots/pairs_heard.h"
 #include "ui/scene/live_scene.h"
 #include "ui/views/record/levels_panel.h"
+#include "ui/views/record/record_readiness.h"
 
 namespace noctule::ui {
 namespace {
@@ -53,6 +56,38 @@ TEST_F(RecordLost, AStalledSuitKeepsNoLevelsEither) {
     box.stutter(false);
     EXPECT_TRUE(waitFor([&] { return meters.levels().size() == 2; })) << "it flows again";
     EXPECT_FALSE(levels.pairsInWords().contains("since"));
+}
+
+TEST_F(RecordLost, WhatItToldLastIsMarkedAndTheRestIsNotKnown) {
+    TestBox box({.loops = true});
+    openSession();
+    ASSERT_TRUE(connectTo(box));
+    using Fact = RecordReadiness::Fact;
+    RecordReadiness& readiness = page_->readiness();
+    readiness.show();
+    const auto isMarked = [&] {
+        const auto labels = readiness.findChildren<QLabel*>();
+        return std::ranges::any_of(labels, [](const QLabel* label) {
+            return label->text() == "last known" && !label->parentWidget()->isHidden();
+        });
+    };
+    ASSERT_TRUE(waitFor([&] {
+        return readiness.value(Fact::kLink).contains("MB/s") && readiness.value(Fact::kBoards) == "2 of 2" &&
+               !readiness.value(Fact::kAir).isEmpty();
+    }));
+    EXPECT_TRUE(studio_->check().bytesPerSecond());
+    EXPECT_FALSE(isMarked());
+    box.freeze(true);
+    box.cut();
+    ASSERT_TRUE(waitFor([&] { return readiness.value(Fact::kLink) == "broken"; }));
+    EXPECT_EQ(readiness.value(Fact::kView), QChar(0x2013)) << "no latency";
+    EXPECT_EQ(readiness.value(Fact::kBoards), "");
+    EXPECT_FALSE(readiness.value(Fact::kAir).isEmpty());
+    EXPECT_TRUE(isMarked());
+    EXPECT_TRUE(waitFor([&] { return !studio_->check().bytesPerSecond(); }));
+    box.freeze(false);
+    EXPECT_TRUE(waitFor([&] { return studio_->check().bytesPerSecond() && !isMarked(); })) << "it is back";
+    readiness.hide();
 }
 
 TEST_F(RecordLost, ItsBodyFadesAndHearsNothing) {

@@ -153,6 +153,10 @@ TEST_F(RoomPageTest, AnAnchorIsLeftOutAndTakenBackIn) {
     EXPECT_EQ(run().result().result.room->sources.size(), 3u);
     EXPECT_TRUE(says(*page_->room().side(), "left out"));
     EXPECT_TRUE(says(*page_->room().side(), "Without anchor 2: the file lacks it"));
+    EXPECT_TRUE(says(*page_->room().side(), "The other places stay as they were found with it"));
+    EXPECT_EQ(page_->room().walkButton()->text(), "Walk again");
+    EXPECT_FALSE(page_->room().walkButton()->isEnabled());
+    EXPECT_TRUE(says(*page_->room().side(), "No box of anchors is connected")) << "why it is grey";
     for (const RoomDrawing* drawing : page_->room().findChildren<RoomDrawing*>())
         EXPECT_TRUE(drawing->accessibleName().contains("anchor 2, left out, at"));
     ASSERT_NE(button("Use without anchor 1"), nullptr);
@@ -170,6 +174,14 @@ TEST_F(RoomPageTest, AnAnchorIsLeftOutAndTakenBackIn) {
     ASSERT_TRUE(waitLong([&] { return button("Use without anchor 2") != nullptr; }));
     EXPECT_EQ(run().result().result.room->sources.size(), 4u);
     EXPECT_FALSE(run().isInUse()) << "its place is not in the take";
+}
+
+TEST(RoomErrors, NameTheTakeAndNotItsPlace) {
+    const std::string path = "/home/ada/here/takes/room_001.noctule";
+    const Error told =
+        namingTake({ErrorKind::kUnusable, path + ": too little is heard", "Open " + path}, path);
+    EXPECT_EQ(told.message, "room_001: too little is heard");
+    EXPECT_EQ(told.remedy, "Open room_001");
 }
 
 TEST_F(RoomPageTest, WhatCannotBeSurveyedIsSaidInPlace) {

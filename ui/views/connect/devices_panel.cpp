@@ -193,7 +193,9 @@ DeviceWords DevicesPanel::wordsFor(const KnownSuit& suit) const {
         words.detail = tr("Answers at another address now");
         words.action = tr("Connect again");
     } else {
-        words.action = capture_.suits().connected().empty() ? tr("Connect") : tr("Add this suit");
+        words.action = capture_.suits().connected().empty() ? tr("Connect")
+                       : suit.is_room                       ? tr("Add these anchors")
+                                                            : tr("Add this suit");
     }
     return words;
 }

@@ -216,8 +216,9 @@ void ReadinessPanel::showBlinking() {
 void ReadinessPanel::showNumbers() {
     const SuitCheck& check = capture_.check();
     const Readiness& readiness = check.readiness();
-    const bool known = readiness.verdict != Readiness::Verdict::kWaiting && !readiness.boards.empty() &&
-                       !check.nothingSince().isValid();
+    const bool is_silent = check.suit().isSilent();
+    const bool known =
+        readiness.verdict != Readiness::Verdict::kWaiting && !readiness.boards.empty() && !is_silent;
     const auto of = [](int some, size_t all) { return tr("%1 of %2").arg(some).arg(all); };
     const auto faint =
         std::ranges::count(readiness.problems, ProblemKind::kSourceFaint, &ReadinessProblem::kind);
@@ -236,9 +237,10 @@ void ReadinessPanel::showNumbers() {
     QString battery;
     if (frame && frame->health.suit.battery_percent)
         battery = percentText(*frame->health.suit.battery_percent / 100);
-    if (const auto left_s = check.batteryLeft_s(); left_s && !battery.isEmpty())
+    if (const auto left_s = check.batteryLeft_s(); left_s && !battery.isEmpty() && !is_silent)
         battery = tr("%1, %2", "charge, time left").arg(battery, durationWords(*left_s));
     numbers_->setValue(battery_, battery);
+    numbers_->setHint(battery_, is_silent ? lastKnownInShort() : QString());
     const auto storage_s = capture_.suits().storageLeft_s();
     numbers_->setValue(storage_, storage_s ? durationWords(*storage_s) : QString());
     showCalibration();

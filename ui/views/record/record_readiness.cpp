@@ -24,7 +24,6 @@
 namespace noctule::ui {
 namespace {
 
-constexpr qint64 kRateEvery_ms = 2000;
 constexpr double kLowBattery_percent = 20;
 const QString kNotKnown = QChar(0x2013);
 
@@ -148,10 +147,11 @@ void RecordReadiness::refresh() {
 
 void RecordReadiness::showHealth() {
     const Readiness& readiness = studio_.check().readiness();
-    if (readiness.verdict == Readiness::Verdict::kWaiting) {
-        for (const Fact fact : {Fact::kBoards, Fact::kSources, Fact::kPairs, Fact::kView})
+    const bool is_silent = studio_.suit().isSilent();
+    if (is_silent || readiness.verdict == Readiness::Verdict::kWaiting) {
+        for (const Fact fact : {Fact::kBoards, Fact::kSources, Fact::kPairs})
             setFact(fact, {});
-        return;
+        return setFact(Fact::kView, is_silent ? kNotKnown : QString());
     }
     const auto boards = std::ssize(readiness.boards), sources = std::ssize(readiness.source_good_pairs);
     const int there = readiness.boards_there, heard = readiness.sources_heard, good = readiness.good_pairs;
@@ -169,26 +169,17 @@ void RecordReadiness::showHealth() {
 void RecordReadiness::showLink() {
     const LiveSuit& suit = studio_.suit();
     const auto status = suit.status();
-    const auto frame = suit.frame();
     if (!status->hello)
         return setFact(Fact::kLink, {});
-    if (!frame || frame->sample < rate_from_sample_ || !since_rate_.isValid()) {
-        rate_from_sample_ = frame ? frame->sample : 0;
-        since_rate_.start();
-    } else if (since_rate_.elapsed() > kRateEvery_ms) {
-        const auto bytes = 2.0 * static_cast<double>(frame->sample - rate_from_sample_) *
-                           static_cast<double>(frame->health.boards.size());
-        megabytes_per_s_ = bytes / 1e3 / static_cast<double>(since_rate_.restart());
-        rate_from_sample_ = frame->sample;
-    }
+    const auto bytes_per_s = studio_.check().bytesPerSecond();
     const link::LinkStatistics link = suit.link();
     const qint64 lost = link.frames.lost_frames;
     const qint64 damaged = link.frames.damaged_payloads + link.frames.bad_headers;
     const bool broken = suit.isSilent();
     setFact(Fact::kLink,
-            broken                 ? tr("broken", "a link")
-            : megabytes_per_s_ > 0 ? tr("%1\u00A0MB/s").arg(numberText(megabytes_per_s_, 1))
-                                   : tr("is there", "a link"),
+            broken        ? tr("broken", "a link")
+            : bytes_per_s ? tr("%1\u00A0MB/s").arg(numberText(*bytes_per_s * 1e-6, 1))
+                          : tr("is there", "a link"),
             tr("%1 blocks lost, %2 damaged").arg(lost).arg(damaged),
             broken               ? Tone::kError
             : lost + damaged > 0 ? Tone::kWarn
@@ -201,7 +192,9 @@ void RecordReadiness::showSupplies() {
     const auto left_s = studio_.check().batteryLeft_s();
     if (percent)
         setFact(Fact::kBattery, percentText(*percent / 100),
-                left_s ? tr("%1 at this rate").arg(durationWords(*left_s)) : QString(),
+                studio_.suit().isSilent() ? lastKnownInShort()
+                : left_s                  ? tr("%1 at this rate").arg(durationWords(*left_s))
+                                          : QString(),
                 *percent < kLowBattery_percent ? Tone::kWarn : Tone::kNeutral, *percent / 100);
     else
         setFact(Fact::kBattery, {});
@@ -224,7 +217,8 @@ void RecordReadiness::showAir() {
     const QString air = QStringLiteral("%1\u00A0\u00B0C").arg(numberText(*told.temperature_c, 1));
     setFact(Fact::kAir,
             told.humidity_percent ? QStringLiteral("%1, %2").arg(air, percentText(humidity / 100)) : air,
-            tr("speed of sound %1\u00A0m/s").arg(numberText(c_m_per_s, 1)));
+            studio_.suit().isSilent() ? lastKnownInShort()
+                                      : tr("speed of sound %1\u00A0m/s").arg(numberText(c_m_per_s, 1)));
 }
 
 QString RecordReadiness::checkedWords() const {

@@ -2,7 +2,6 @@
 // Right dock of Record: whether it records well, what to look at, and the numbers behind it.
 #pragma once
 
-#include <QElapsedTimer>
 #include <QTimer>
 #include <QWidget>
 
@@ -60,9 +59,7 @@ private:
     NumberRows* numbers_;  ///< a row per Fact
     Label *made_, *offsets_, *boards_, *checked_;
     Button* check_;
-    QElapsedTimer since_rate_;
-    int64_t rate_from_sample_ = 0;
-    double megabytes_per_s_ = 0, screen_delay_s_ = 0;
+    double screen_delay_s_ = 0;
 };
 
 }  // namespace noctule::ui
