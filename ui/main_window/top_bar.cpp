@@ -150,9 +150,11 @@ void TopBar::showSuit(Tone tone, const QString& state, const QString& name, bool
     const StepBar::State step = !connected                              ? StepBar::State::kOpen
                                 : tone == Tone::kOk && !needs_attention ? StepBar::State::kDone
                                                                         : StepBar::State::kAttention;
-    steps_->setState(indexOf(Step::kConnect), step);
-    if (suit_->text() == words && suit_->tone() == tone && box_->text() == name)
+    const int connect_step = indexOf(Step::kConnect);
+    if (suit_->text() == words && suit_->tone() == tone && box_->text() == name &&
+        steps_->state(connect_step) == step)
         return;
+    steps_->setState(connect_step, step);
     suit_->setState(tone, words, tone == Tone::kNeutral ? "board" : QString());
     suit_->setToolTip(connected ? state + QLatin1Char('\n') + tr("Boards that are there. Opens Connect.")
                                 : tr("No suit is connected. Opens Connect."));

@@ -177,7 +177,7 @@ TEST_F(RoomPageTest, AnAnchorIsLeftOutAndTakenBackIn) {
 }
 
 TEST(RoomErrors, NameTheTakeAndNotItsPlace) {
-    const std::string path = "/home/ada/here/takes/room_001.noctule";
+    const std::string path = "/stage/here/takes/room_001.noctule";
     const Error told =
         namingTake({ErrorKind::kUnusable, path + ": too little is heard", "Open " + path}, path);
     EXPECT_EQ(told.message, "room_001: too little is heard");
