@@ -79,7 +79,7 @@ run_busy() {
     local loops=()
     for _ in 1 2 3 4; do (while :; do :; done) & loops+=($!); done
     packaging/configure.sh release && cmake --build --preset release --parallel "$jobs" &&
-        ctest --preset release --parallel "$jobs" --no-tests=error
+        ctest --preset release --parallel $((jobs + 3)) --no-tests=error --output-on-failure
     local result=$?
     kill "${loops[@]}"
     return $result
