@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
 #include "app/batch/files.h"
 #include "app/batch/motion_file.h"
 #include "app/batch/verb.h"
@@ -131,8 +133,16 @@ Status addBetween(const VerbContext& context, const EvaluateRequest& request,
     if (!between)
         return between.error();
     for (const BetweenEvaluation& pair : *between) {
+        if (!pair.observed) {
+            outcome.json["between"].push_back({{"a", pair.a}, {"b", pair.b}, {"observed", false}});
+            outcome.text += "between " + pair.a + " and " + pair.b +
+                            ": not observed. Nothing measured where they stand to each other, distances "
+                            "between them mean nothing\n";
+            continue;
+        }
         outcome.json["between"].push_back({{"a", pair.a},
                                            {"b", pair.b},
+                                           {"observed", true},
                                            {"from", pair.from},
                                            {"to", pair.to},
                                            {"rms_mm", pair.rms_mm},
@@ -185,8 +195,12 @@ void addWorstVerdict(const std::vector<SubjectReport>& reports, Outcome& outcome
         for (const nlohmann::json& reason : subject["reasons"])
             reasons.push_back(subject["name"].get<std::string>() + ": " + reason.get<std::string>());
     outcome.json["reasons"] = reasons;
-    outcome.text = "all subjects: " + gradeName(worst) + (worst > Grade::kGood ? " (" + names + ")" : "") +
-                   "\n" + outcome.text;
+    const bool apart =
+        std::ranges::any_of(reports, [](const SubjectReport& report) { return report.data.people_apart; });
+    outcome.text =
+        "all subjects: " + gradeName(worst) + (worst > Grade::kGood ? " (" + names + ")" : "") +
+        (apart ? ", each alone; distances between them mean nothing where they were not observed" : "") +
+        "\n" + outcome.text;
 }
 
 /// One entry of `subjects` and some lines each; the rest of the outcome but the verdict is the first
@@ -284,7 +298,7 @@ Result<Outcome> runEvaluatePoints(const VerbContext& context) {
                                           {"rms_mm", found->rms_mm},
                                           {"between_rms_mm", orNull(found->between_rms_mm)},
                                           {"between_near_rms_mm", orNull(found->between_near_rms_mm)},
-                                          {"nees", found->nees},
+                                          {"nees", orNull(found->nees)},
                                           {"instants", found->instants},
                                           {"devices", points}});
         outcome.text +=
@@ -292,7 +306,9 @@ Result<Outcome> runEvaluatePoints(const VerbContext& context) {
             " points" +
             (found->between_rms_mm ? ", " + fixed(*found->between_rms_mm, 1) + " mm between subjects"
                                    : std::string()) +
-            "; NEES " + fixed(found->nees) + "\n";
+            (found->nees ? "; NEES " + fixed(*found->nees)
+                         : "; the common place and turn were not observed: there are no anchors") +
+            "\n";
         all.push_back(std::move(*found));
     }
     if (!report_path.empty())

@@ -141,6 +141,22 @@ Status checkTakes(const Arguments& arguments) {
     return Done{};
 }
 
+nlohmann::json rangesJson(const RangeTally& ranges) {
+    return {{"heard", ranges.heard},
+            {"used", ranges.used},
+            {"gated", ranges.gated},
+            {"behind", ranges.behind},
+            {"left_out", ranges.left_out}};
+}
+
+/// What became of each that was heard.
+std::string rangesText(const RangeTally& ranges) {
+    return "of " + std::to_string(ranges.heard) + " ranges heard " + std::to_string(ranges.used) +
+           " were used, " + std::to_string(ranges.gated) + " rejected by the gate, " +
+           std::to_string(ranges.behind) + " came from behind their source, " +
+           std::to_string(ranges.left_out) + " were too doubtful or not needed";
+}
+
 Outcome outcomeOf(const std::string& path, const ProcessSummary& s) {
     Outcome outcome;
     outcome.json = {{"take", path},
@@ -148,7 +164,7 @@ Outcome outcomeOf(const std::string& path, const ProcessSummary& s) {
                     {"runs", {{"pose", s.pose_run}, {"range", s.range_run}, {"inertial", s.inertial_run}}},
                     {"poses", s.poses},
                     {"duration_s", s.duration_s},
-                    {"ranges", {{"heard", s.ranges}, {"used", s.ranges_used}, {"gated", s.ranges_gated}}},
+                    {"ranges", rangesJson(s.ranges)},
                     {"frames", {{"seen", s.frames_seen}, {"lost", s.frames_lost}}},
                     {"contacts", {{"found", s.contacts}, {"edited", s.contacts_edited}}},
                     {"clipped_readings", s.clipped_readings},
@@ -157,35 +173,27 @@ Outcome outcomeOf(const std::string& path, const ProcessSummary& s) {
                     {"warnings", s.warnings}};
     if (s.subjects.size() > 1)
         for (const ProcessSummary::Subject& subject : s.subjects)
-            outcome.json["subjects"].push_back(
-                {{"name", subject.name},
-                 {"suit", subject.suit},
-                 {"poses", subject.poses},
-                 {"ranges", {{"heard", subject.ranges}, {"used", subject.ranges_used}}}});
+            outcome.json["subjects"].push_back({{"name", subject.name},
+                                                {"suit", subject.suit},
+                                                {"poses", subject.poses},
+                                                {"ranges", rangesJson(subject.ranges)}});
     if (s.together)
-        outcome.json["together"] = {
-            {"between", s.together->between},
-            {"room", s.together->room},
-            {"ranges",
-             {{"heard", s.together->heard}, {"used", s.together->used}, {"gated", s.together->gated}}}};
-    char text[240];
-    std::snprintf(text, sizeof text,
-                  "%lld poses over %.1f s; %lld of %lld ranges used, %lld gated; %lld of %lld frames lost.\n",
-                  static_cast<long long>(s.poses), s.duration_s, static_cast<long long>(s.ranges_used),
-                  static_cast<long long>(s.ranges), static_cast<long long>(s.ranges_gated),
-                  static_cast<long long>(s.frames_lost), static_cast<long long>(s.frames_seen));
-    outcome.text = path + ": run " + s.run_name + ", " + text;
-    if (s.calibrated == Grade::kNotUsable)
-        outcome.text += path + ": Not usable: " + lackClause(s.lack) + "\n";
+        outcome.json["together"] = {{"between", s.together->between},
+                                    {"room", s.together->room},
+                                    {"unjoined", s.together->unjoined},
+                                    {"ranges", rangesJson(s.together->ranges)}};
+    char seconds[32];
+    std::snprintf(seconds, sizeof seconds, "%.1f", s.duration_s);
+    outcome.text = path + ": run " + s.run_name + ", " + std::to_string(s.poses) + " poses over " + seconds +
+                   " s; " + rangesText(s.ranges) + "; " + std::to_string(s.frames_lost) + " of " +
+                   std::to_string(s.frames_seen) + " frames lost.\n";
     if (s.subjects.size() > 1)
         for (const ProcessSummary::Subject& subject : s.subjects)
             outcome.text += path + ": " + subject.name + ", suit " + std::to_string(subject.suit) + ": " +
-                            std::to_string(subject.poses) + " poses, " + std::to_string(subject.ranges_used) +
-                            " of " + std::to_string(subject.ranges) + " ranges used.\n";
+                            std::to_string(subject.poses) + " poses; " + rangesText(subject.ranges) + ".\n";
     if (s.together)
         outcome.text += path + ": between suits" + (s.together->room ? " and the room" : "") + " " +
-                        std::to_string(s.together->used) + " of " + std::to_string(s.together->heard) +
-                        " ranges used, " + std::to_string(s.together->gated) + " gated.\n";
+                        rangesText(s.together->ranges) + ".\n";
     if (s.contacts_edited)
         outcome.text += path + ": contacts of the feet as they were edited, none were looked for.\n";
     return outcome;
@@ -269,7 +277,9 @@ Result<Outcome> runPoints(const VerbContext& context, ProcessRequest request) {
                    " ranges (" + std::to_string(summary->of_room) + " with the room, " +
                    std::to_string(summary->own) + " within, " + std::to_string(summary->between) +
                    " between subjects) " + std::to_string(summary->used) + " were used, " +
-                   std::to_string(summary->gated) + " gated.\n";
+                   std::to_string(summary->gated) + " rejected by the gate, " +
+                   std::to_string(summary->heard - summary->used - summary->gated) +
+                   " not needed or of points that were lost.\n";
     return outcome;
 }
 

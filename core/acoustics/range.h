@@ -38,6 +38,31 @@ inline RangeFate rangeFateFromName(std::string_view name) {
     return RangeFate::kNotTried;
 }
 
+/// Ranges that were heard, by what became of them: the rest is left_out.
+struct RangeTally {
+    int64_t heard = 0, used = 0, gated = 0, behind = 0, left_out = 0;
+
+    void add(RangeFate fate) {
+        heard += 1;
+        switch (fate) {
+            case RangeFate::kUsed:
+            case RangeFate::kWeighted:
+                used += 1;
+                return;
+            case RangeFate::kGated:
+                gated += 1;
+                return;
+            case RangeFate::kBehindSource:
+                behind += 1;
+                return;
+            case RangeFate::kNotTried:
+            case RangeFate::kNoConfidence:
+                left_out += 1;
+                return;
+        }
+    }
+};
+
 /// NaN: not measured, or to be computed from emission and arrival once both clocks are known.
 inline constexpr double kNoDistance = std::numeric_limits<double>::quiet_NaN();
 

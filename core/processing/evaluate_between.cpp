@@ -196,12 +196,18 @@ Result<std::vector<BetweenEvaluation>> evaluateBetween(const EvaluateRequest& re
             return one.error();
         judged.push_back(std::move(*one));
     }
+    const RunSettings settings = runSettings(*chosen, {}, take->level());
     std::vector<BetweenEvaluation> found;
     for (size_t a = 0; a < judged.size(); ++a)
         for (size_t b = a + 1; b < judged.size(); ++b) {
             if (job.cancelled())
                 return JobContext::cancelledError();
-            judgePair(judged[a], judged[b], found);
+            if (settings.joins(judged[a].suit, judged[b].suit)) {
+                judgePair(judged[a], judged[b], found);
+            } else if (!judged[a].reference.frames.empty() && !judged[b].reference.frames.empty()) {
+                found.push_back({judged[a].name, judged[b].name});
+                found.back().observed = false;
+            }
         }
     return found;
 }

@@ -32,6 +32,9 @@ struct BetweenEvaluation {
     /// Where subjects were estimated together: what the run says of the vector in the frame of a's root, rms
     /// over all three axes, and its mean squared error in units of that (1 is honest).
     std::optional<double> sigma_mm{}, nees{};
+    /// False: nothing measured where the two stand to each other. There is one entry of the pair, without
+    /// joints and numbers.
+    bool observed = true;
 };
 
 /// Every pair of `subjects` that has a reference each; empty where one lacks it. Of the request counts which

@@ -39,6 +39,7 @@ public:
         const auto subjects = take_.subjects();
         if (!subjects)
             return subjects.error();
+        has_anchors_ = std::ranges::any_of(*subjects, &TakeSubject::room);
         for (const TakeSubject& subject : *subjects) {
             const bool is_in_table = std::ranges::any_of(
                 table_, [&](const auto& entry) { return entry.first.first == subject.suit(); });
@@ -185,7 +186,8 @@ private:
         }
         const int64_t count = found_.instants * std::ssize(devices_);
         found_.rms_mm = rms_mm(all, count);
-        found_.nees = nees_ / static_cast<double>(std::max<int64_t>(1, count));
+        if (has_anchors_)
+            found_.nees = nees_ / static_cast<double>(std::max<int64_t>(1, count));
         if (pairs_ > 0)
             found_.between_rms_mm = rms_mm(pair_squares_, pairs_);
         if (near_ > 0)
@@ -195,6 +197,7 @@ private:
 
     const Take& take_;
     const PointsTable& table_;
+    bool has_anchors_ = false;
     std::vector<TrueSubject> subjects_;
     std::vector<TrueDevice> devices_;
     PointsEvaluation found_;
@@ -258,9 +261,10 @@ std::string pointsReport(const std::string& take_name, const std::vector<std::st
     };
     for (size_t i = 0; i < evaluations.size(); ++i) {
         const PointsEvaluation& one = evaluations[i];
-        table.rows.push_back({{text::escaped(names[i]), cell(one.rms_mm), cell(one.between_rms_mm),
-                               cell(one.between_near_rms_mm), cell(one.nees)},
-                              ""});
+        table.rows.push_back(
+            {{text::escaped(names[i]), cell(one.rms_mm), cell(one.between_rms_mm),
+              cell(one.between_near_rms_mm), one.nees ? cell(one.nees) : std::string("not observed")},
+             ""});
         errors.push_back(inMillimetres(one.error_m));
         sigmas.push_back(inMillimetres(one.sigma_m));
         nearest.push_back(inMillimetres(one.nearest_m));
@@ -268,19 +272,32 @@ std::string pointsReport(const std::string& take_name, const std::vector<std::st
     }
     std::string body = html::section("points", "Points", "Error after the rest poses, root mean square.",
                                      html::table(table));
+    const bool is_observed =
+        std::ranges::all_of(evaluations, [](const PointsEvaluation& one) { return one.nees.has_value(); });
+    if (!is_observed)
+        body += html::note(
+            "Without anchors nothing measures the common place and turn of all points: they are those of the "
+            "start, drift, and count in the error of all points. How sure the filter is of them means "
+            "nothing.");
     body += html::section(
         "error", "Error over time", "Root mean square over all points, as figure 3 of Welch 2018.",
-        plotOf("Error of all points", "rms error of all points over time", names, evaluations, errors) +
-            plotOf("Stated uncertainty of all points", "square root of the mean trace of the covariances",
-                   names, evaluations, sigmas));
+        "<div class=\"scroll\">" +
+            plotOf("Error of all points", "rms error of all points over time", names, evaluations, errors) +
+            (is_observed
+                 ? plotOf("Stated uncertainty of all points",
+                          "square root of the mean trace of the covariances", names, evaluations, sigmas)
+                 : "") +
+            "</div>");
     body += html::section(
         "nearest", "Two people near each other",
         "The nearest two points of different people: distance, and error of the vector between them, as "
         "figure 4 of Welch 2018.",
-        plotOf("Distance of the nearest two points", "true distance of the nearest two points", {names[0]},
-               {evaluations[0]}, {nearest[0]}) +
+        "<div class=\"scroll\">" +
+            plotOf("Distance of the nearest two points", "true distance of the nearest two points",
+                   {names[0]}, {evaluations[0]}, {nearest[0]}) +
             plotOf("Error of the vector between them", "length of the vector's error", names, evaluations,
-                   nearest_errors));
+                   nearest_errors) +
+            "</div>");
     return html::page(take_name, "Points report", "", body, "");
 }
 

@@ -18,7 +18,9 @@ struct PointsEvaluation {
     double rms_mm = 0;                          ///< over all points and instants after the rest poses
     std::optional<double> between_rms_mm;       ///< of the vectors between points of two subjects
     std::optional<double> between_near_rms_mm;  ///< while nearer than 0.3 m
-    double nees = 0;                            ///< mean of |error|^2 / (3 sigma^2); 1 is honest
+    /// Mean of |error|^2 / (3 sigma^2); 1 is honest. None without anchors: nothing measured the common place
+    /// and turn of all points then.
+    std::optional<double> nees;
     int64_t instants = 0;
     /// Over time, for figures: rms error and rms sigma of all points, m; nearest pair between subjects, m.
     std::vector<double> time_s, error_m, sigma_m, nearest_m, nearest_error_m;

@@ -364,7 +364,10 @@ Result<ReportData> evaluateTake(const EvaluateRequest& request, const JobContext
     const RunSettings settings = runSettings(*shown, *all_runs, take.level());
     if (Status added = addQuality(take, *shown, settings, data, job); !added)
         return added.error();
-    data.people_apart = settings.people_apart;
+    data.people_apart = settings.people_apart || !settings.unjoined.empty();
+    for (const TakeSubject& subject : subjectsOf(*shown))
+        if (std::ranges::count(settings.unjoined, subject.suit()) > 0)
+            data.unjoined.push_back(subject.name);
     if (std::string drift =
             driftWarning(settings.estimator, settings.sensors, settings.root_given, data.take.afterRest_s());
         !drift.empty())

@@ -48,7 +48,7 @@ void warnOfOtherSerials(const Take& take, const Suit& suit, const Calibration& c
                            ". Its values are used all the same; give the calibration of this suit.");
 }
 
-/// A calibration of another suit is refused; boards it lacks get nominal values and a warning.
+/// A calibration of another suit is refused; boards it lacks get nominal values, as CalibrationLack tells.
 Status checkCalibration(const Take& take, const Suit& suit, const Calibration& calibration,
                         std::vector<std::string>& warnings) {
     std::string missing;
@@ -62,8 +62,6 @@ Status checkCalibration(const Take& take, const Suit& suit, const Calibration& c
     if (found == 0 && !suit.boards.empty() && !calibration.boards.empty())
         return unusableTake(take, "the calibration knows none of the suit's boards (" + missing + ")",
                             "Give the calibration of this suit");
-    if (!missing.empty())
-        warnings.push_back("The calibration lacks " + missing + "; nominal values are used there.");
     warnOfOtherSerials(take, suit, calibration, warnings);
     return Done{};
 }

@@ -30,6 +30,11 @@ std::optional<int64_t> likelyRun(const char* kind, const DerivedRun& pose_run,
 
 }  // namespace
 
+bool RunSettings::joins(int suit, int other_suit) const {
+    return !people_apart &&
+           std::ranges::count(unjoined, suit) + std::ranges::count(unjoined, other_suit) == 0;
+}
+
 RunSettings runSettings(const DerivedRun& pose_run, const std::vector<DerivedRun>& runs, TakeLevel level) {
     const json::Json read = json::parse(pose_run.settings_json);
     RunSettings settings;
@@ -46,6 +51,11 @@ RunSettings runSettings(const DerivedRun& pose_run, const std::vector<DerivedRun
     settings.uses_room = says("room");
     settings.people_apart =
         subjectsOf(pose_run).size() > 1 && !settings.root_given && !settings.uses_room && !says("between");
+    if (const auto list = read.is_object() ? read.find("unjoined") : read.end();
+        list != read.end() && list->is_array())
+        for (const json::Json& suit : *list)
+            if (suit.is_number_integer())
+                settings.unjoined.push_back(suit.get<int>());
     settings.process_sigma_rad_per_s2 = json::number(read, "process_sigma_rad_per_s2");
     settings.inertial_run = runNumber(read, "inertial_run");
     if (!settings.inertial_run)

@@ -19,8 +19,12 @@ struct RunSettings {
     bool root_given = false;
     bool uses_room = false;     ///< anchors held the world
     bool people_apart = false;  ///< several people, whose places to each other are neither measured nor given
+    std::vector<int> unjoined;  ///< suits that could not be placed against the others
     std::optional<int64_t> inertial_run, range_run;  ///< what it was made from; kPrimaryRun: primary rows
     std::optional<double> process_sigma_rad_per_s2;  ///< estimator "paper"
+
+    /// The places of the two wearers to each other were measured or given.
+    bool joins(int suit, int other_suit) const;
 };
 
 /// `runs` are all of the take, in its order.

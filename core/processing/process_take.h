@@ -39,7 +39,7 @@ struct ProcessSummary {
     int64_t pose_run = 0, range_run = 0, inertial_run = 0;  ///< 0: primary data or none
     int64_t poses = 0;
     double duration_s = 0;
-    int64_t ranges = 0, ranges_used = 0, ranges_gated = 0;
+    RangeTally ranges;
     int64_t frames_seen = 0, frames_lost = 0, clipped_readings = 0;
     int resets = 0;
     int64_t contacts = 0;               ///< of all feet
@@ -50,13 +50,15 @@ struct ProcessSummary {
     struct Subject {
         std::string name;
         int suit = 0;  ///< counts from 1
-        int64_t poses = 0, ranges = 0, ranges_used = 0;
+        int64_t poses = 0;
+        RangeTally ranges;
     };
     std::vector<Subject> subjects;  ///< in the order of the take
     /// Ranges between suits, where subjects were estimated together.
     struct Together {
         bool between = false, room = false;
-        int64_t heard = 0, used = 0, gated = 0;
+        RangeTally ranges;
+        std::vector<int> unjoined;  ///< suits whose wearers could not be placed against the others
     };
     std::optional<Together> together;
 };

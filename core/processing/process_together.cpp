@@ -314,7 +314,9 @@ private:
         const auto time_ns =
             static_cast<int64_t>(std::llround(onTakeTime({reached_s_, 1}, joint_->clocks()).offset_ns));
         for (size_t a = 0; a < subjects_.size(); ++a)
-            for (size_t b = a + 1; b < subjects_.size(); ++b)
+            for (size_t b = a + 1; b < subjects_.size(); ++b) {
+                if (!isPlaced(a) || !isPlaced(b))
+                    continue;  // nothing measures this vector, so that no covariance of it means anything
                 for (const auto& [from, to] : kComparedEnds) {
                     const int joint = subjects_[a].actor.skeleton.find(from),
                               other = subjects_[b].actor.skeleton.find(to);
@@ -323,7 +325,9 @@ private:
                                                       {subjects_[b].subject.suit(), from, to, time_ns,
                                                        joint_->relativeCovariance(a, joint, b, other)}});
                 }
+            }
     }
+    bool isPlaced(size_t subject) const { return joint_->alignment().places[subject].placed; }
     /// Clocks that no transceivers join are known by the bodies' poses all the same.
     void keepClocks() {
         for (auto& [suit, track] : tracks_)
@@ -335,12 +339,13 @@ private:
 
     Status warn(double end_s) {
         std::vector<std::string>& warnings = results_.summary.warnings;
-        const auto& places = joint_->alignment().places;
         for (size_t i = 0; i < subjects_.size(); ++i)
-            if (!places[i].placed)
+            if (!isPlaced(i)) {
+                results_.summary.together->unjoined.push_back(subjects_[i].subject.suit());
                 warnings.push_back(subjects_[i].subject.name +
                                    " cannot be joined to the others: while the rest pose was held, too few "
                                    "distances to them or to the room fit. These poses are their own.");
+            }
         if (joining_.room && !joining_.roomHoldsWorld())
             warnings.push_back(
                 "One anchor alone does not tell how everybody is turned about it: places and headings in the "

@@ -62,6 +62,8 @@ nlohmann::json settingsJson(const ProcessRequest& request, const std::vector<Ing
         settings["between"] = runs.together->between;
         settings["room"] = runs.together->room;
         settings["select"] = request.select;
+        if (!runs.together->unjoined.empty())
+            settings["unjoined"] = runs.together->unjoined;
     }
     std::string made = settings.dump();
     nlohmann::json list = nlohmann::json::array();
@@ -175,7 +177,7 @@ Status ResultRuns::beginSubject(const Ingredients& in) {
         return spool.error();
     parts_.push_back({in.subject.suit(), in.clock, std::move(*spool), {}});
     part_ = parts_.size() - 1;
-    summary.subjects.push_back({in.subject.name, in.subject.suit(), 0, 0, 0});
+    summary.subjects.push_back({in.subject.name, in.subject.suit(), 0, {}});
     return Done{};
 }
 
@@ -191,9 +193,7 @@ Status ResultRuns::beginRoom(const TakeSubject& room) {
 
 void ResultRuns::writeCross(const std::vector<RangeMeasurement>& ranges) {
     for (const RangeMeasurement& range : ranges) {
-        summary.together->heard += 1;
-        summary.together->used += range.fate == RangeFate::kUsed || range.fate == RangeFate::kWeighted;
-        summary.together->gated += range.fate == RangeFate::kGated;
+        summary.together->ranges.add(range.fate);
     }
     parts_[part_].spool.add(ranges);
 }
@@ -256,12 +256,8 @@ Status ResultRuns::write(const std::vector<InertialReading>& readings) {
 
 Status ResultRuns::write(const std::vector<RangeMeasurement>& ranges) {
     for (const RangeMeasurement& range : ranges) {
-        const bool used = range.fate == RangeFate::kUsed || range.fate == RangeFate::kWeighted;
-        summary.ranges += 1;
-        summary.ranges_used += used;
-        summary.subjects[part_].ranges += 1;
-        summary.subjects[part_].ranges_used += used;
-        summary.ranges_gated += range.fate == RangeFate::kGated;
+        summary.ranges.add(range.fate);
+        summary.subjects[part_].ranges.add(range.fate);
     }
     parts_[part_].spool.add(ranges);
     return Done{};

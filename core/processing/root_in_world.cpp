@@ -47,7 +47,8 @@ Result<std::optional<RootInWorld>> rootInWorld(const std::string& take_path, con
     const auto chosen = choosePoseRun(*take, run);
     if (!chosen)
         return chosen.error();
-    if (!runSettings(*chosen, {}, take->level()).uses_room)
+    const RunSettings settings = runSettings(*chosen, {}, take->level());
+    if (!settings.uses_room || std::ranges::count(settings.unjoined, subject.suit()) > 0)
         return std::optional<RootInWorld>();
     const auto found = take->poses(chosen->run, subject.suit());
     if (!found)

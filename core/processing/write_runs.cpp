@@ -91,7 +91,9 @@ void gradeSubject(const Ingredients& in, const std::string& who, const ProcessRe
         summary.calibrated = calibrated;
     }
     if (calibrated != Grade::kGood)
-        summary.warnings.push_back(who + lackSentence(in.lack));
+        summary.warnings.push_back(who + (calibrated == Grade::kNotUsable
+                                              ? "Not usable: " + lackClause(in.lack)
+                                              : lackSentence(in.lack)));
 }
 
 /// All of them at once, where something joins them; false: nothing does.

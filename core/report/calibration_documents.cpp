@@ -77,12 +77,14 @@ double magnitude(const Vector3d& axes) {
 template <class Reported, class Measured, class Residual>
 std::vector<CalibrationErrors::Row> errorRows(const std::vector<Reported>& boards,
                                               std::vector<Measured> Reported::*measured, double scale,
-                                              Residual Measured::*before, Residual Measured::*after) {
+                                              std::optional<Residual> Measured::*before,
+                                              Residual Measured::*after) {
     std::vector<CalibrationErrors::Row> rows;
     for (const Reported& board : boards) {
         rows.push_back({board.board.id, {}, {}});
         for (const Measured& one : board.*measured) {
-            rows.back().before.push_back(magnitude(one.*before) * scale);
+            if (const auto& residual = one.*before)
+                rows.back().before.push_back(magnitude(*residual) * scale);
             rows.back().after.push_back(magnitude(one.*after) * scale);
         }
     }

@@ -20,7 +20,7 @@ const std::vector<std::pair<std::string, std::string>> kFateKey = {{"used", "use
                                                                    {"rejected", "rejected by the gate"},
                                                                    {"unused", "heard but unused"},
                                                                    {"occluded", "hidden by the body"},
-                                                                   {"missing", "missing"}};
+                                                                   {"missing", "not heard, though in sight"}};
 
 std::string fateBar(const RangeStatistics& s) {
     const double pulses = std::max(1.0, static_cast<double>(s.pulses()));
@@ -37,8 +37,8 @@ std::string fateBar(const RangeStatistics& s) {
 html::Row countRow(const std::string& label, const RangeStatistics& s, const std::string& css_class) {
     const auto residual_m = s.residualRms_m();
     html::Row row{{text::escaped(label), text::count(s.pulses()), text::count(s.heard())}, css_class};
-    for (const PulseFate fate :
-         {PulseFate::kUsed, PulseFate::kRejected, PulseFate::kOccluded, PulseFate::kMissing})
+    for (const PulseFate fate : {PulseFate::kUsed, PulseFate::kRejected, PulseFate::kUnused,
+                                 PulseFate::kOccluded, PulseFate::kMissing})
         row.cells_html.push_back(text::count(s.of(fate)));
     row.cells_html.push_back(residual_m ? text::number(1000 * *residual_m, 1) : "–");
     row.cells_html.push_back(fateBar(s));
@@ -53,8 +53,9 @@ std::string countTable(const ReportData& data, bool by_board) {
                        {"Heard"},
                        {"Used"},
                        {"Rejected"},
+                       {"Unused"},
                        {"Hidden"},
-                       {"Missing"},
+                       {"Not heard"},
                        {"Residual mm"},
                        {"Shares", false}},
                       {}};

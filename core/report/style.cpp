@@ -47,6 +47,7 @@ h2{font-size:20px;font-weight:500;margin:0 0 4px}
 h3{font-size:15px;font-weight:500;margin:24px 0 4px}
 details{border-top:1px solid var(--line);margin:16px 0 0}summary{cursor:pointer;padding:8px 0 0;font-size:15px;font-weight:500;color:var(--acc)}summary:focus-visible{outline:2px solid var(--acc);outline-offset:2px}
 section>details:only-child{border:0;margin:0}section>details:only-child>summary{padding:0}
+h1,h2,p,li,summary,header span{overflow-wrap:anywhere}
 section{background:var(--panel);border:1px solid var(--line);border-radius:8px;padding:24px;margin:16px 0}
 .lead,.note{color:var(--t2);max-width:640px;margin:0 0 16px}
 .note{font-size:12px;color:var(--t3);margin:8px 0 0}
@@ -100,7 +101,7 @@ constexpr const char* kDrawings = R"css(
 .plot .dot{stroke:var(--acc);stroke-width:2.5;stroke-linecap:round}
 .plot .dot.rejected{stroke:var(--err);stroke-width:4}.plot .dot.unused{stroke:var(--edge)}.plot .dot.faint{stroke:var(--edge);stroke-width:1.5;stroke-opacity:.45}
 .plot .group{stroke:var(--edge)}.plot .none{fill:none;stroke:var(--edge);stroke-dasharray:3 2}
-.pair{display:grid;grid-template-columns:repeat(auto-fit,minmax(380px,1fr));gap:0 24px}.pair .plot{min-width:0}
+.pair{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(380px,100%),1fr));gap:0 24px}.pair .plot{min-width:0}
 .used{fill:var(--acc)}.rejected{fill:var(--err)}.unused{fill:var(--edge)}.occluded{fill:var(--line)}.missing{fill:var(--warn)}
 .good{fill:var(--ok)}.inertia{fill:var(--warn)}.alone{fill:var(--err)}.track{fill:var(--track)}
 .bar{width:100%;height:8px;display:block;border-radius:4px;overflow:hidden}

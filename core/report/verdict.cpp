@@ -55,15 +55,34 @@ std::string supportSentence(const ReportData& data, const TakeVerdict& judged) {
 
 std::string residualSentence(const ReportData& data, const TakeVerdict& judged) {
     const auto millimetres = [](double value_m) { return text::number(1000 * value_m, 0) + " mm"; };
-    if (!judged.astray)
-        return "A third of the ranges miss the pose by more than " +
-               millimetres(judged.residual_spread_m.value_or(0)) +
-               ": a board or a source sits elsewhere than its calibration says, or the source offsets are "
-               "another box's.";
+    // One cause, one warning: of a part without calibration nothing else is to blame.
+    const bool is_calibrated = std::ranges::count(judged.reasons, VerdictReason::kNotCalibrated) == 0;
+    if (!judged.astray) {
+        const std::string miss = "A third of the ranges miss the pose by more than " +
+                                 millimetres(judged.residual_spread_m.value_or(0));
+        return is_calibrated ? miss +
+                                   ": a board or a source sits elsewhere than its calibration says, or the "
+                                   "source offsets are another box's."
+                             : miss + ". Calibrate what is missing first.";
+    }
     const VerdictPart& part = *judged.astray;
-    return text::capitalised(part.is_source ? sourceLabel(data, part.index) : boardLabel(data, part.index)) +
-           ": half of its ranges miss the pose by more than " + millimetres(part.median_m) +
-           ". It sits or points elsewhere than when it was calibrated.";
+    const std::string miss =
+        text::capitalised(part.is_source ? sourceLabel(data, part.index) : boardLabel(data, part.index)) +
+        ": half of its ranges miss the pose by more than " + millimetres(part.median_m);
+    return is_calibrated ? miss + ". It sits or points elsewhere than when it was calibrated."
+                         : miss + ". Calibrate what is missing first.";
+}
+
+std::string apartSentence(const ReportData& data) {
+    if (data.unjoined.empty())
+        return "Nothing measured where the performers stand to each other: no ranges between them or to a "
+               "room "
+               "were used. Distances between them mean nothing.";
+    std::string names;
+    for (const std::string& name : data.unjoined)
+        names += (names.empty() ? "" : ", ") + name;
+    return "Not measured where they stand to the others: " + names +
+           ". Too few ranges fit while the rest pose was held. Distances to them mean nothing.";
 }
 
 /// Empty: the headline or a note says it.
@@ -80,8 +99,7 @@ std::string reasonSentence(VerdictReason reason, const ReportData& data, const R
             return "No signal for " + text::number(judged.longest_hole_s, 2) +
                    " s in one piece: the pose is a guess there.";
         case VerdictReason::kPeopleApart:
-            return "Nothing measured where the performers stand to each other: no ranges between them or to "
-                   "a room were used. Their distance is a guess.";
+            return apartSentence(data);
         case VerdictReason::kNone:
         case VerdictReason::kMeanError:
         case VerdictReason::kBoardLost:
@@ -93,8 +111,9 @@ std::string reasonSentence(VerdictReason reason, const ReportData& data, const R
     return {};
 }
 
-void judgeConsistency(const Comparison& comparison, Verdict& verdict) {
-    if (comparison.nees && *comparison.nees > 3)
+/// Without calibration a filter is too sure of itself: that is no second fault.
+void judgeConsistency(const Comparison& comparison, bool lacks_calibration, Verdict& verdict) {
+    if (comparison.nees && *comparison.nees > 3 && !lacks_calibration)
         verdict.reasons.push_back("The filter is too sure of itself: its errors are " +
                                   text::number(std::sqrt(*comparison.nees), 1) +
                                   " times as large as it says (NEES " + text::number(comparison.nees, 1) +
@@ -180,11 +199,13 @@ Verdict judge(const ReportData& data) {
     for (const VerdictReason reason : judged.reasons)
         if (std::string sentence = reasonSentence(reason, data, *run, judged); !sentence.empty())
             verdict.reasons.push_back(std::move(sentence));
+    const bool lacks_calibration = gradeOf(data.lack, run->sensors) != Grade::kGood;
     if (run->comparison)
-        judgeConsistency(*run->comparison, verdict);
-    if (!is_uncalibrated && gradeOf(data.lack, run->sensors) != Grade::kGood)
+        judgeConsistency(*run->comparison, lacks_calibration, verdict);
+    if (lacks_calibration && !is_uncalibrated)
         verdict.reasons.push_back(lackSentence(data.lack));
-    judgeRanges(data, verdict);
+    if (!lacks_calibration)  // else rejected ranges follow from it
+        judgeRanges(data, verdict);
     judgeBoards(data, judged, verdict);
     verdict.reasons.insert(verdict.reasons.end(), data.warnings.begin(), data.warnings.end());
     return verdict;

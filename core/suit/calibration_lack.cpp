@@ -40,6 +40,13 @@ std::string partWords(const std::string& what, const std::vector<int>& lacking, 
 
 }  // namespace
 
+bool knowsAccelerometer(const Board& board, const BoardCalibration* known) {
+    return known && isCalibrated(*known, "accelerometers", known->accel, board.accel_full_scale_m_per_s2);
+}
+bool knowsGyroscope(const Board& board, const BoardCalibration* known) {
+    return known && isCalibrated(*known, "gyroscopes", known->gyro, board.gyro_full_scale_rad_per_s);
+}
+
 bool CalibrationLack::isNone() const {
     return sources.empty() && accelerometers.empty() && gyroscopes.empty() && rest_pose.empty();
 }
@@ -75,9 +82,9 @@ CalibrationLack lackOf(const Suit& suit, const Calibration& calibration) {
         const BoardCalibration* known = calibration.findBoard(board.id);
         if (known && believed)
             continue;
-        if (!known || !isCalibrated(*known, "accelerometers", known->accel, board.accel_full_scale_m_per_s2))
+        if (!knowsAccelerometer(board, known))
             lack.accelerometers.push_back(b);
-        if (!known || !isCalibrated(*known, "gyroscopes", known->gyro, board.gyro_full_scale_rad_per_s))
+        if (!knowsGyroscope(board, known))
             lack.gyroscopes.push_back(b);
         if (!known || !hasRestPose(*known))
             lack.rest_pose.push_back(b);

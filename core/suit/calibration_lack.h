@@ -29,6 +29,10 @@ struct CalibrationLack {
     bool stopsTheBody() const { return ofAllOffsets() || ofMostGyroscopes(); }
 };
 
+/// Of one board: its sensor was calibrated, and is not only nominal.
+bool knowsAccelerometer(const Board& board, const BoardCalibration* known);
+bool knowsGyroscope(const Board& board, const BoardCalibration* known);
+
 CalibrationLack lackOf(const Suit& suit, const Calibration& calibration);
 
 /// "source offsets, gyroscopes of 3 boards and rest pose"; empty: nothing is missing.

@@ -5088,10 +5088,6 @@
         <translation>Die Kalibrierung gehört zu anderen Teilen: %1. Ihre Werte werden trotzdem verwendet; diese Teile kalibrieren.</translation>
     </message>
     <message>
-        <source>The calibration lacks %1; nominal values are used there.</source>
-        <translation>In der Kalibrierung fehlt %1; dort werden Nennwerte verwendet.</translation>
-    </message>
-    <message>
         <source>The calibration lacks the shape of pulses; it was learnt from this take's sound for</source>
         <translation>Der Kalibrierung fehlt die Form der Pulse; sie wurde aus dem Ton dieser Aufnahme gelernt für</translation>
     </message>
@@ -5222,6 +5218,10 @@
     <message>
         <source>Use --overwrite to replace it</source>
         <translation>Mit --overwrite ersetzen</translation>
+    </message>
+    <message>
+        <source>Without anchors nothing measures the common place and turn of all points: they are those of the start, drift, and count in the error of all points. How sure the filter is of them means nothing.</source>
+        <translation>Ohne Anker misst nichts, wo alle Punkte gemeinsam stehen und wie sie gedreht sind: Beides ist das vom Anfang, driftet und zählt zum Fehler aller Punkte. Wie sicher sich der Filter darin ist, sagt nichts aus.</translation>
     </message>
     <message>
         <source>Write metres, centimetres, millimetres or inches</source>
@@ -5418,6 +5418,10 @@
     <message>
         <source>none of its boards sits on a segment of the body</source>
         <translation>keine ihrer Platinen sitzt auf einem Glied des Körpers</translation>
+    </message>
+    <message>
+        <source>not observed</source>
+        <translation>nicht beobachtet</translation>
     </message>
     <message>
         <source>nothing tells where %1 stands: while the rest pose was held, too few ranges fit</source>
@@ -6389,6 +6393,14 @@
         <translation>%1, Unterschied der Orientierung</translation>
     </message>
     <message>
+        <source>%1. Calibrate what is missing first.</source>
+        <translation>%1. Zuerst kalibrieren, was fehlt.</translation>
+    </message>
+    <message>
+        <source>%1. It sits or points elsewhere than when it was calibrated.</source>
+        <translation>%1. Es sitzt oder zeigt anders als bei der Kalibrierung.</translation>
+    </message>
+    <message>
         <source>%1. Mean joint error %2 against %3.</source>
         <translation>%1. Mittlerer Gelenkfehler %2 gegen %3.</translation>
     </message>
@@ -6401,8 +6413,12 @@
         <translation>%1. Ohne Referenz ist der Fehler dieser Aufnahme nicht bekannt.</translation>
     </message>
     <message>
-        <source>%1: half of its ranges miss the pose by more than %2. It sits or points elsewhere than when it was calibrated.</source>
-        <translation>%1: Die Hälfte der Entfernungen verfehlt die Pose um mehr als %2. Sie sitzt oder zeigt anders als bei der Kalibrierung.</translation>
+        <source>%1: a board or a source sits elsewhere than its calibration says, or the source offsets are another box's.</source>
+        <translation>%1: Eine Platine oder Quelle sitzt anders, als ihre Kalibrierung sagt, oder der Quellenversatz gehört zu einer anderen Box.</translation>
+    </message>
+    <message>
+        <source>%1: half of its ranges miss the pose by more than %2</source>
+        <translation>%1: Die Hälfte der Entfernungen verfehlt die Pose um mehr als %2</translation>
     </message>
     <message>
         <source>%1: mean %2, %3 ranges used, %4 rejected, %5</source>
@@ -6449,8 +6465,8 @@
         <translation>A steht für Beschleunigungssensoren, G für Gyroskope und D für Entfernungen (distances).</translation>
     </message>
     <message>
-        <source>A third of the ranges miss the pose by more than %1: a board or a source sits elsewhere than its calibration says, or the source offsets are another box's.</source>
-        <translation>Ein Drittel der Entfernungen verfehlt die Pose um mehr als %1: Eine Platine oder Quelle sitzt anders, als ihre Kalibrierung sagt, oder der Quellenversatz gehört zu einer anderen Box.</translation>
+        <source>A third of the ranges miss the pose by more than %1</source>
+        <translation>Ein Drittel der Entfernungen verfehlt die Pose um mehr als %1</translation>
     </message>
     <message>
         <source>AGD</source>
@@ -6973,10 +6989,6 @@
         <translation>Verfahren, das die Pose vorhersagt und mit jeder Messung berichtigt, gewichtet danach, wie unsicher beide sind</translation>
     </message>
     <message>
-        <source>Missing</source>
-        <translation>Fehlend</translation>
-    </message>
-    <message>
         <source>Model alone</source>
         <translation>Modell allein</translation>
     </message>
@@ -7021,6 +7033,14 @@
         <translation>Keines der Magnetometer konnte kalibriert werden</translation>
     </message>
     <message>
+        <source>Not heard</source>
+        <translation>Nicht gehört</translation>
+    </message>
+    <message>
+        <source>Not measured where they stand to the others: %1. Too few ranges fit while the rest pose was held. Distances to them mean nothing.</source>
+        <translation>Nicht gemessen, wo sie zu den anderen stehen: %1. Während der Ruhehaltung passten zu wenige Entfernungen. Abstände zu ihnen sagen nichts aus.</translation>
+    </message>
+    <message>
         <source>Not processed yet. The take holds no run to judge.</source>
         <translation>Noch nicht verarbeitet. Die Aufnahme enthält kein Ergebnis zum Beurteilen.</translation>
     </message>
@@ -7037,8 +7057,8 @@
         <translation>Nichts ist verrutscht</translation>
     </message>
     <message>
-        <source>Nothing measured where the performers stand to each other: no ranges between them or to a room were used. Their distance is a guess.</source>
-        <translation>Nichts hat gemessen, wie die Darsteller zueinander stehen: Es wurden keine Entfernungen zwischen ihnen oder zu einem Raum verwendet. Ihr Abstand ist geraten.</translation>
+        <source>Nothing measured where the performers stand to each other: no ranges between them or to a room were used. Distances between them mean nothing.</source>
+        <translation>Nichts hat gemessen, wie die Darsteller zueinander stehen: Es wurden keine Entfernungen zwischen ihnen oder zu einem Raum verwendet. Abstände zwischen ihnen sagen nichts aus.</translation>
     </message>
     <message>
         <source>Observable</source>
@@ -7437,6 +7457,10 @@
         <translation>Rumpf und Kopf</translation>
     </message>
     <message>
+        <source>Unused</source>
+        <translation>Ungenutzt</translation>
+    </message>
+    <message>
         <source>UpLeg</source>
         <translation>UpLeg</translation>
     </message>
@@ -7807,6 +7831,10 @@
     <message>
         <source>not heard</source>
         <translation>nicht gehört</translation>
+    </message>
+    <message>
+        <source>not heard, though in sight</source>
+        <translation>nicht gehört, obwohl in Sicht</translation>
     </message>
     <message>
         <source>of all directions, the sensor that has seen least</source>

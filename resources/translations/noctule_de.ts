@@ -2250,6 +2250,14 @@
         <translation>Zwischen %1 und %2</translation>
     </message>
     <message>
+        <source>not observed</source>
+        <translation>nicht beobachtet</translation>
+    </message>
+    <message>
+        <source>Distances</source>
+        <translation>Abstände</translation>
+    </message>
+    <message>
         <source>error, rms</source>
         <translation>Fehler, RMS</translation>
     </message>
@@ -8680,8 +8688,12 @@ Median; gut: unter %1</translation>
         <translation>Wo sie zueinander stehen, ist nicht bekannt</translation>
     </message>
     <message>
-        <source>No ranges between the performers or to a room were used, so their distance is a guess. See that every suit has a calibration and heard the others, and process with all sensors.</source>
-        <translation>Es wurden keine Entfernungen zwischen den Darstellern oder zu einem Raum verwendet, ihr Abstand ist also geraten. Dafür sorgen, dass jeder Anzug eine Kalibrierung hat und die anderen hört, und mit allen Sensoren verarbeiten.</translation>
+        <source>No ranges between all performers or to a room were used: distances between them mean nothing. See that every suit has a calibration and heard the others, and process with all sensors.</source>
+        <translation>Es wurden keine Entfernungen zwischen allen Darstellern oder zu einem Raum verwendet: Abstände zwischen ihnen sagen nichts aus. Dafür sorgen, dass jeder Anzug eine Kalibrierung hat und die anderen hört, und mit allen Sensoren verarbeiten.</translation>
+    </message>
+    <message>
+        <source>Calibrate what is missing first.</source>
+        <translation>Zuerst kalibrieren, was fehlt.</translation>
     </message>
     <message>
         <source>%1 has no sensor</source>
@@ -12044,6 +12056,10 @@ Drehen, beide Richtungen x3</translation>
     <message>
         <source>mean %1 (blue), with the calibration before %2 (grey)</source>
         <translation>im Mittel %1 (blau), mit der Kalibrierung davor %2 (grau)</translation>
+    </message>
+    <message>
+        <source>A triangle at the end of the scale: this error lies beyond it.</source>
+        <translation>Ein Dreieck am Ende der Skala: Dieser Fehler liegt jenseits davon.</translation>
     </message>
 </context>
 <context>

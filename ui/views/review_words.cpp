@@ -153,12 +153,16 @@ ProblemWords boardProblem(const TakeVerdict& verdict, const TakeOverview& overvi
 
 ProblemWords residualProblem(const TakeVerdict& verdict, const TakeOverview& overview) {
     ProblemWords words;
+    // One cause, one warning: what has no calibration sits nowhere else than it says.
+    const bool is_calibrated = std::ranges::count(verdict.reasons, VerdictReason::kNotCalibrated) == 0;
     if (!verdict.astray) {
         words.title = Words::tr("A third of the ranges miss the pose by more than %1")
                           .arg(millimetresText(verdict.residual_spread_m.value_or(0)));
-        words.text = Words::tr(
-            "A board or a source may sit elsewhere than the performer page says, or the "
-            "source offsets are another box's. Check both, then reprocess.");
+        words.text = !is_calibrated
+                         ? Words::tr("Calibrate what is missing first.")
+                         : Words::tr(
+                               "A board or a source may sit elsewhere than the performer page says, or the "
+                               "source offsets are another box's. Check both, then reprocess.");
         return words;
     }
     const VerdictPart& part = *verdict.astray;
@@ -166,9 +170,11 @@ ProblemWords residualProblem(const TakeVerdict& verdict, const TakeOverview& ove
                       .arg(part.is_source ? sourceTitle(overview.suit, part.index)
                                           : boardTitle(overview.suit, part.index),
                            millimetresText(part.median_m));
-    words.text = Words::tr(
-        "It may sit elsewhere than the performer page says, or point elsewhere than when it was calibrated. "
-        "Check it, then reprocess.");
+    words.text = !is_calibrated ? Words::tr("Calibrate what is missing first.")
+                                : Words::tr(
+                                      "It may sit elsewhere than the performer page says, or point elsewhere "
+                                      "than when it was calibrated. "
+                                      "Check it, then reprocess.");
     if (!part.is_source) {
         words.board = part.index;
         words.action = Words::tr("Show this board");
@@ -306,7 +312,8 @@ std::vector<ProblemWords> problemsInWords(const TakeVerdict& verdict, const Take
             case VerdictReason::kPeopleApart:
                 words.title = Words::tr("Where they stand to each other is not known");
                 words.text = Words::tr(
-                    "No ranges between the performers or to a room were used, so their distance is a guess. "
+                    "No ranges between all performers or to a room were used: distances between them mean "
+                    "nothing. "
                     "See that every suit has a calibration and heard the others, and process with all "
                     "sensors.");
                 break;

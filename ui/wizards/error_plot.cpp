@@ -68,6 +68,14 @@ double ErrorPlot::scaleEnd() const {
     return roundUp(std::max({most, errors_.good * 2, 1e-9}));
 }
 
+bool ErrorPlot::hasBeyondScale() const {
+    const double end = scaleEnd();
+    return std::ranges::any_of(errors_.rows, [end](const CalibrationErrors::Row& row) {
+        const auto is_beyond = [end](double value) { return value > end; };
+        return std::ranges::any_of(row.before, is_beyond) || std::ranges::any_of(row.after, is_beyond);
+    });
+}
+
 ErrorPlot::Axis ErrorPlot::axis() const {
     const Theme& theme = Theme::get();
     const int left = theme.px(kNames), right = width() - theme.px(16);
@@ -93,15 +101,19 @@ void ErrorPlot::paintAxis(QPainter& painter, const Axis& axis) const {
     }
 }
 
-/// What lies beyond the axis stands at its end, as a ring, where `marks_beyond`.
+/// What lies beyond the axis is a triangle at its end.
 void ErrorPlot::paintDots(QPainter& painter, const Axis& axis, const std::vector<double>& values, double y,
-                          const QColor& color, bool marks_beyond) const {
+                          const QColor& color) const {
     const Theme& theme = Theme::get();
     for (const double value : values) {
-        const bool ring = marks_beyond && value > axis.end;
-        painter.setPen(ring ? QPen(theme.tokens().warn, theme.px(1.5)) : QPen(Qt::NoPen));
-        painter.setBrush(ring ? QBrush(Qt::NoBrush) : QBrush(color));
-        painter.drawEllipse(QPointF(axis.at(std::min(value, axis.end)), y), theme.px(3), theme.px(3));
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(color);
+        const double size = theme.px(3), end = axis.at(axis.end);
+        if (value > axis.end)
+            painter.drawPolygon(
+                QPolygonF{{end, y - 1.5 * size}, {end + 2.5 * size, y}, {end, y + 1.5 * size}});
+        else
+            painter.drawEllipse(QPointF(axis.at(value), y), size, size);
     }
 }
 
@@ -122,8 +134,8 @@ void ErrorPlot::paintEvent(QPaintEvent*) {
         painter.setPen(tokens.t1);
         painter.drawText(QRectF(0, top, names, row), Qt::AlignRight | Qt::AlignVCenter,
                          painter.fontMetrics().elidedText(coreWords(part.name), Qt::ElideRight, names));
-        paintDots(painter, axis, part.before, middle, before, false);
-        paintDots(painter, axis, part.after, middle, tokens.acc, true);
+        paintDots(painter, axis, part.before, middle, before);
+        paintDots(painter, axis, part.after, middle, tokens.acc);
     }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The picture of a calibration's errors: a row per part, a dot per measurement, before and after, with the
-// band of what is good. Outliers beyond the scale stand at its end and are named.
+// band of what is good. What lies beyond the scale is a triangle at its end.
 #pragma once
 
 #include <QWidget>
@@ -15,6 +15,8 @@ public:
     explicit ErrorPlot(QWidget* parent = nullptr);
 
     void setErrors(const CalibrationErrors& errors);
+    /// Of the errors of both calibrations; the caption says how they are marked.
+    bool hasBeyondScale() const;
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
 
@@ -31,7 +33,7 @@ private:
     Axis axis() const;
     void paintAxis(QPainter& painter, const Axis& axis) const;
     void paintDots(QPainter& painter, const Axis& axis, const std::vector<double>& values, double y,
-                   const QColor& color, bool marks_beyond) const;
+                   const QColor& color) const;
     double scaleEnd() const;
 
     CalibrationErrors errors_;

@@ -141,6 +141,10 @@ void WizardResult::fill(const CalibrationDocument& document) {
         auto* plot = new ErrorPlot;
         plot->setErrors(*document.errors);
         column->addWidget(plot);
+        if (plot->hasBeyondScale())
+            column->addWidget((new Label(tr("A triangle at the end of the scale: this error lies beyond it."),
+                                         TextRole::kSecondary, Ink::kHint))
+                                  ->wrapped());
         content_->addWidget(card);
     }
     for (const CalibrationTable& table : document.tables)

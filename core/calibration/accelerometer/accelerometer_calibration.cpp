@@ -8,6 +8,7 @@
 #include "core/calibration/accelerometer/accelerometer_positions.h"
 #include "core/calibration/worn_part_names.h"
 #include "core/suit/calibration_entries.h"
+#include "core/suit/calibration_lack.h"
 
 namespace noctule {
 namespace {
@@ -116,12 +117,19 @@ private:
         const std::vector<double> angles = weighLevels(positions, start);
         const AccelerometerFit fit = fitAccelerometer(positions, start);
         const BoardCalibration* in_force = record_.in_force->findBoard(record_.id);
-        const AccelerometerFit before{.axes = in_force ? in_force->accel : nominal_};
-        for (size_t k = 0; k < positions.size(); ++k)
-            result_.positions.push_back({still_.stretches[k].take, still_.stretches[k].begin_s,
-                                         still_.stretches[k].end_s, positions[k].level,
-                                         fit.residual_m_per_s2(positions[k]), angles[k],
-                                         before.residual_m_per_s2(positions[k])});
+        const bool is_known = knowsAccelerometer(result_.board, in_force);
+        for (size_t k = 0; k < positions.size(); ++k) {
+            result_.positions.push_back({still_.stretches[k].take,
+                                         still_.stretches[k].begin_s,
+                                         still_.stretches[k].end_s,
+                                         positions[k].level,
+                                         fit.residual_m_per_s2(positions[k]),
+                                         angles[k],
+                                         {}});
+            if (is_known)
+                result_.positions.back().residual_before_m_per_s2 =
+                    AccelerometerFit{.axes = in_force->accel}.residual_m_per_s2(positions[k]);
+        }
         result_.axes = fit.axes;
         result_.sigma_matrix = fit.sigma_matrix;
         reportMissing(fit);

@@ -31,10 +31,11 @@ struct AccelerometerLimits {
 struct AccelerometerPosition {
     int take = 0;
     double begin_s = 0, end_s = 0;
-    std::optional<BoardSide> side;        ///< none: tilted
-    double residual_m_per_s2 = 0;         ///< |value| - g
-    double off_level_rad = 0;             ///< of a side: where the other positions see it
-    double residual_before_m_per_s2 = 0;  ///< |value| - g with the calibration in force
+    std::optional<BoardSide> side;  ///< none: tilted
+    double residual_m_per_s2 = 0;   ///< |value| - g
+    double off_level_rad = 0;       ///< of a side: where the other positions see it
+    /// |value| - g with the calibration in force; none: there is none but the nominal one.
+    std::optional<double> residual_before_m_per_s2{};
 };
 
 struct AccelerometerBoard {

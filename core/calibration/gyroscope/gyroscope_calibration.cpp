@@ -10,6 +10,7 @@
 #include "core/calibration/gyroscope/turntable_speed.h"
 #include "core/calibration/worn_part_names.h"
 #include "core/suit/calibration_entries.h"
+#include "core/suit/calibration_lack.h"
 
 namespace noctule {
 namespace {
@@ -189,14 +190,20 @@ private:
         board.axes->sigma_zero_counts =
             (board.sigma_mean_zero_counts.array().square() + std::pow(wanderedBy_counts(work), 2)).sqrt();
         const BoardCalibration* in_force = work.table->record->in_force->findBoard(work.table->record->id);
-        const AxisCalibration before =
-            in_force ? in_force->gyro : AxisCalibration::nominal(board.board.gyro_full_scale_rad_per_s);
+        const bool is_known = knowsGyroscope(board.board, in_force);
         for (size_t k = 0; k < work.rates.size(); ++k) {
             const KnownRate& rate = work.rates[k];
             const Vector3d found = work.fit.axes.matrix * (rate.mean.counts - work.fit.zeros_counts[k]);
-            board.turns.push_back({rate.take, rate.begin_s, rate.end_s, work.table->stretches[k].up,
-                                   work.table->stretches[k].about, found - rate.rate_rad_per_s,
-                                   before.apply(rate.mean.counts) - rate.rate_rad_per_s});
+            board.turns.push_back({rate.take,
+                                   rate.begin_s,
+                                   rate.end_s,
+                                   work.table->stretches[k].up,
+                                   work.table->stretches[k].about,
+                                   found - rate.rate_rad_per_s,
+                                   {}});
+            if (is_known)
+                board.turns.back().residual_before_rad_per_s =
+                    in_force->gyro.apply(rate.mean.counts) - rate.rate_rad_per_s;
         }
         judge(board, work);
     }

@@ -34,7 +34,8 @@ struct GyroscopeTurn {
     std::optional<BoardSide> up;     ///< none: a rest
     std::optional<BoardSide> about;  ///< turned right-handed about this axis; none: a rest
     Vector3d residual_rad_per_s = Vector3d::Zero();
-    Vector3d residual_before_rad_per_s = Vector3d::Zero();  ///< with the calibration in force
+    /// With the calibration in force; none: there is none but the nominal one.
+    std::optional<Vector3d> residual_before_rad_per_s{};
 };
 
 struct GyroscopeBoard {

@@ -9,6 +9,7 @@
 
 #include "core/processing/evaluate_between.h"
 #include "core/processing/evaluate_take.h"
+#include "core/processing/pose_runs.h"
 #include "core/processing/process_take.h"
 #include "core/processing/root_in_world.h"
 #include "core/simulation/cast.h"
@@ -299,6 +300,22 @@ TEST_F(CastGoneWrong, WhomNobodyHearsIsNamed) {
     const ProcessSummary summary = processed(request());
     EXPECT_TRUE(summary.together);
     EXPECT_TRUE(says(summary, {"Bea cannot be joined"}));
+    EXPECT_EQ(summary.together->unjoined, std::vector{2});
+    EvaluateRequest evaluated;
+    evaluated.take_path = path_;
+    const auto between =
+        evaluateBetween(evaluated, subjectsOf(choosePoseRun(Take::open(path_).value(), "").value()), {});
+    ASSERT_TRUE(between) << between.error().text();
+    ASSERT_EQ(between->size(), 1u);
+    for (const BetweenEvaluation& pair : *between) {
+        EXPECT_FALSE(pair.observed);
+        EXPECT_FALSE(pair.nees || pair.sigma_mm);
+    }
+    EXPECT_TRUE(Take::open(path_)->relatives(summary.pose_run, 1)->empty()) << "no band in plots either";
+    const auto report = evaluateTake(evaluated, {});
+    ASSERT_TRUE(report) << report.error().text();
+    EXPECT_TRUE(report->people_apart);
+    EXPECT_EQ(report->unjoined, std::vector<std::string>{"Bea"});
     // As good as if there were no Bea: the room alone holds the other.
     const ErrorsOfSuit beside = errorsOf(1);
     ProcessRequest alone = request();

@@ -203,5 +203,19 @@ TEST(RunSettings, PeopleStandApartWhereNothingSaysWhereTheyAre) {
         EXPECT_FALSE(apart(two, told)) << told;
 }
 
+TEST(RunSettings, WhoCouldNotBePlacedIsJoinedToNobody) {
+    const auto settings = [](const std::string& rest) {
+        return runSettings(
+            runOf(1, "pose", R"({"subjects": [{"suit": 1}, {"suit": 2}, {"suit": 3}])" + rest + "}"), {},
+            TakeLevel::kReadings);
+    };
+    const RunSettings third_apart = settings(R"(, "between": true, "unjoined": [3])");
+    EXPECT_TRUE(third_apart.joins(1, 2));
+    EXPECT_FALSE(third_apart.joins(1, 3));
+    EXPECT_FALSE(third_apart.joins(3, 2));
+    EXPECT_FALSE(settings("").joins(1, 2));
+    EXPECT_TRUE(settings(R"(, "between": true)").joins(1, 3));
+}
+
 }  // namespace
 }  // namespace noctule::test

@@ -40,8 +40,8 @@ double meanError_deg(const std::string& path, const SensorSelection& sensors,
     EXPECT_TRUE(summary) << summary.error().text();
     const double mean_deg = compareRun(path, summary->pose_run).mean_deg;
     std::printf("%s: %.3f degrees, %lld ranges of %lld used, %lld gated, %d resets\n",
-                summary->run_name.c_str(), mean_deg, static_cast<long long>(summary->ranges_used),
-                static_cast<long long>(summary->ranges), static_cast<long long>(summary->ranges_gated),
+                summary->run_name.c_str(), mean_deg, static_cast<long long>(summary->ranges.used),
+                static_cast<long long>(summary->ranges.heard), static_cast<long long>(summary->ranges.gated),
                 summary->resets);
     return mean_deg;
 }
@@ -227,7 +227,7 @@ TEST(ProcessSimulation, SoundGivesTheTruth) {
     for (const auto& summary : {*known, *learnt}) {
         const double mean_deg = compareRun(path, summary.pose_run).mean_deg;
         std::printf("%s, matched: %.3f degrees, %lld ranges used\n", summary.run_name.c_str(), mean_deg,
-                    static_cast<long long>(summary.ranges_used));
+                    static_cast<long long>(summary.ranges.used));
         EXPECT_LT(mean_deg, paper_deg);
     }
 }

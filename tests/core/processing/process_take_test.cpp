@@ -122,7 +122,7 @@ TEST(ProcessTinyTake, BothEstimatorsGivePosesNearTheReference) {
         ASSERT_TRUE(summary) << summary.error().text();
         EXPECT_NEAR(summary->duration_s, 302500 / 150000.0, 1e-9);
         EXPECT_EQ(summary->frames_lost, 0);
-        EXPECT_GT(summary->ranges_used, 60);
+        EXPECT_GT(summary->ranges.used, 60);
 
         const Take take = Take::open(path).value();
         const TimedMotion poses = take.poses(summary->pose_run).value();
@@ -210,7 +210,7 @@ TEST(ProcessTinyTake, WritesItsRunsWithTheirSettings) {
         EXPECT_EQ(settings["range_run"], summary.range_run);
         EXPECT_NEAR(settings["rest_end_s"].get<double>(), 74999 / 150000.0, 1e-9);
         auto ranges = take.ranges(summary.range_run).value();
-        EXPECT_EQ(std::ssize(test::collect(ranges)), summary.ranges);
+        EXPECT_EQ(std::ssize(test::collect(ranges)), summary.ranges.heard);
     }
     auto readings = take.readings(first->inertial_run).value();
     EXPECT_EQ(std::ssize(test::collect(readings)), first->frames_seen);
@@ -270,7 +270,7 @@ TEST(ProcessTinyTake, SmoothedRunsSayBySettingsAndNameHow) {
         EXPECT_EQ(summary->run_name, smoother == Smoother::kLag    ? "AGD lag"
                                      : smoother == Smoother::kFull ? "AGD smoothed"
                                                                    : "AGD batch");
-        EXPECT_EQ(summary->ranges_used, plain->ranges_used) << "the filter judges ranges as it does alone";
+        EXPECT_EQ(summary->ranges.used, plain->ranges.used) << "the filter judges ranges as it does alone";
         const Take take = Take::open(path).value();
         const auto runs = take.derivedRuns().value();
         const auto run = std::ranges::find(runs, summary->pose_run, &DerivedRun::run);
@@ -322,7 +322,9 @@ TEST(ProcessTinyTake, WithoutACalibrationItSaysThatTheResultIsNotUsable) {
     ASSERT_TRUE(summary) << summary.error().text();
     EXPECT_EQ(summary->calibrated, Grade::kNotUsable);
     EXPECT_TRUE(summary->lack.isTotal());
-    EXPECT_EQ(std::ranges::count(summary->warnings, "This take has no calibration. Process it with one."), 1);
+    EXPECT_EQ(std::ranges::count(summary->warnings,
+                                 "Not usable: this take has no calibration. Process it with one."),
+              1);
     const auto inspection = inspectTake(path, {});
     ASSERT_TRUE(inspection);
     EXPECT_EQ(std::ranges::count(inspection->problems,

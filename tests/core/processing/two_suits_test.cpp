@@ -90,7 +90,7 @@ TEST_F(TwoSuits, EachSubjectIsProcessedAndEveryRowKept) {
     for (size_t s = 0; s < 2; ++s) {
         SCOPED_TRACE(subjects[s].name);
         EXPECT_GT(summary->subjects[s].poses, 300);
-        EXPECT_GT(summary->subjects[s].ranges_used, 50);
+        EXPECT_GT(summary->subjects[s].ranges.used, 50);
         EvaluateRequest evaluation;
         evaluation.take_path = path_;
         evaluation.suit = subjects[s].suit();
@@ -99,7 +99,7 @@ TEST_F(TwoSuits, EachSubjectIsProcessedAndEveryRowKept) {
         ASSERT_TRUE(data->shownRun()->comparison);
         std::printf("%s: %.2f degrees, %lld of %lld ranges\n", subjects[s].name.c_str(),
                     data->shownRun()->comparison->mean_deg,
-                    static_cast<long long>(summary->subjects[s].ranges_used),
+                    static_cast<long long>(summary->subjects[s].ranges.used),
                     static_cast<long long>(summary->subjects[s].ranges));
         EXPECT_LT(data->shownRun()->comparison->root.position_m, 0.01) << "the root was given, on take time";
     }

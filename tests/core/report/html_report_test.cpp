@@ -206,6 +206,28 @@ TEST(HtmlReport, EveryJointHasItsCurvesAndNoAngleLeavesHalfATurn) {
     EXPECT_EQ(std::count(band.begin(), band.end(), 'Z'), 2) << "and so does its band";
 }
 
+TEST(HtmlReport, WhatBecameOfPulsesAddsUp) {
+    const std::string page = htmlReport(shortReport());
+    for (const char* column : {"Used", "Rejected", "Unused", "Hidden", "Not heard"})
+        EXPECT_TRUE(has(page, std::string("<th scope=\"col\">") + column + "</th>")) << column;
+}
+
+/// Two plots beside each other are 380 px wide each, unless the page is narrower.
+TEST(HtmlReport, PlotsBesideEachOtherFitAPhone) {
+    EXPECT_TRUE(has(htmlReport(shortReport()), "minmax(min(380px,100%),1fr)"));
+}
+
+TEST(CalibrationDocuments, NoErrorsWithACalibrationThatNeverWas) {
+    AccelerometerReport report;
+    report.boards.resize(1);
+    report.boards[0].positions.resize(2);
+    report.boards[0].positions[0].residual_before_m_per_s2 = 0.1;
+    const CalibrationDocument document = documentOf(report);
+    ASSERT_TRUE(document.errors);
+    EXPECT_EQ(document.errors->rows.at(0).before.size(), 1u) << "of the position that has one";
+    EXPECT_EQ(document.errors->rows.at(0).after.size(), 2u);
+}
+
 TEST(HtmlReport, FewEchoesFrightenNobody) {
     ReportData data = madeReport(20);
     const std::string card = "<b>0.5 mm</b><span>range residual, median of the ranges used</span>";

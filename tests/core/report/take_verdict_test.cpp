@@ -290,6 +290,36 @@ TEST_F(TakeVerdictTest, TheReportNamesWhatIsAstray) {
     EXPECT_EQ(judge(report_).reasons[0].find("1 joint is more than 8° off on average"), 0u);
 }
 
+TEST_F(TakeVerdictTest, DistancesBetweenPerformersWhomNothingJoinsMeanNothing) {
+    report_.people_apart = true;
+    EXPECT_EQ(verdict().reasons, std::vector{VerdictReason::kPeopleApart});
+    ASSERT_EQ(judge(report_).reasons.size(), 1u);
+    EXPECT_NE(judge(report_).reasons[0].find("Distances between them mean nothing"), std::string::npos);
+    report_.unjoined = {"Bea"};
+    ASSERT_EQ(judge(report_).reasons.size(), 1u);
+    EXPECT_NE(judge(report_).reasons[0].find("others: Bea."), std::string::npos);
+    EXPECT_NE(judge(report_).reasons[0].find("Distances to them mean nothing"), std::string::npos);
+}
+
+TEST_F(TakeVerdictTest, AMissingCalibrationIsTheOnlyOneToBlame) {
+    report_.lack.board_count = 18;
+    report_.lack.rest_pose = {3, 4};
+    for (ReportPair& pair : report_.pairs)
+        for (size_t i = 0; i < pair.pulses.size(); ++i) {
+            pair.pulses[i].residual_m = 0.2F;
+            if (i % 3 == 0)
+                pair.pulses[i].fate = PulseFate::kRejected;
+        }
+    const Verdict said = judge(report_);
+    EXPECT_EQ(said.grade, Grade::kNotUsable);
+    ASSERT_EQ(said.reasons.size(), 2u);
+    EXPECT_NE(said.reasons[0].find("Calibrate what is missing first"), std::string::npos);
+    EXPECT_EQ(said.reasons[1].find("This take was made without calibration of rest pose"), 0u);
+    compare(9).nees = 20;
+    for (const std::string& reason : judge(report_).reasons)
+        EXPECT_EQ(reason.find("too sure"), std::string::npos) << reason;
+}
+
 TEST_F(TakeVerdictTest, WithoutARunThereIsNothingToUse) {
     report_.runs.clear();
     EXPECT_EQ(verdict().grade, Grade::kNotUsable);

@@ -50,5 +50,16 @@ TEST(ErrorPlotTest, TicksStandWhereTheirNumbersSay) {
     }
 }
 
+TEST(ErrorPlotTest, ErrorsBeyondTheScaleAreKnownOfBothCalibrations) {
+    ErrorPlot plot;
+    const auto beyond = [&plot](std::vector<double> before, std::vector<double> after) {
+        plot.setErrors({"Errors", "mm", 1, {{"row", std::move(before), std::move(after)}}});
+        return plot.hasBeyondScale();
+    };
+    EXPECT_FALSE(beyond({}, {0.5, 1}));
+    EXPECT_TRUE(beyond({300}, {0.5, 1}));
+    EXPECT_TRUE(beyond({}, std::vector<double>{0.5, 0.5, 0.5, 90}));
+}
+
 }  // namespace
 }  // namespace noctule::ui

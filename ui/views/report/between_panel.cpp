@@ -22,6 +22,11 @@ QWidget* BetweenPanel::tableOf(const std::vector<BetweenEvaluation>& found, size
         tr("Between %1 and %2").arg(QString::fromStdString(pair.a), QString::fromStdString(pair.b)),
         tr("error, rms")));
     auto* rows = new FormRows;
+    if (!pair.observed) {
+        rows->addValue(tr("Distances"), tr("not observed"));
+        column->addWidget(rows);
+        return table;
+    }
     for (size_t i = first; i < found.size() && found[i].a == pair.a && found[i].b == pair.b; ++i) {
         const BetweenEvaluation& one = found[i];
         rows->addValue(tr("%1 to %2").arg(jointName(one.from), jointName(one.to, NameCase::kInside)),
