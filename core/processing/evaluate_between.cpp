@@ -205,8 +205,10 @@ Result<std::vector<BetweenEvaluation>> evaluateBetween(const EvaluateRequest& re
             if (settings.joins(judged[a].suit, judged[b].suit)) {
                 judgePair(judged[a], judged[b], found);
             } else if (!judged[a].reference.frames.empty() && !judged[b].reference.frames.empty()) {
-                found.push_back({judged[a].name, judged[b].name});
-                found.back().observed = false;
+                BetweenEvaluation& pair = found.emplace_back();
+                pair.a = judged[a].name;
+                pair.b = judged[b].name;
+                pair.observed = false;
             }
         }
     return found;

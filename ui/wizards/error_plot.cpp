@@ -3,6 +3,7 @@
 
 #include <QPainter>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "ui/language/core_words.h"
@@ -109,9 +110,10 @@ void ErrorPlot::paintDots(QPainter& painter, const Axis& axis, const std::vector
         painter.setPen(Qt::NoPen);
         painter.setBrush(color);
         const double size = theme.px(3), end = axis.at(axis.end);
+        const std::array<QPointF, 3> beyond{QPointF(end, y - 1.5 * size), QPointF(end + 2.5 * size, y),
+                                            QPointF(end, y + 1.5 * size)};
         if (value > axis.end)
-            painter.drawPolygon(
-                QPolygonF{{end, y - 1.5 * size}, {end + 2.5 * size, y}, {end, y + 1.5 * size}});
+            painter.drawPolygon(beyond.data(), static_cast<int>(beyond.size()));
         else
             painter.drawEllipse(QPointF(axis.at(value), y), size, size);
     }
