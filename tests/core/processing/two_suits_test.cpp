@@ -100,7 +100,7 @@ TEST_F(TwoSuits, EachSubjectIsProcessedAndEveryRowKept) {
         std::printf("%s: %.2f degrees, %lld of %lld ranges\n", subjects[s].name.c_str(),
                     data->shownRun()->comparison->mean_deg,
                     static_cast<long long>(summary->subjects[s].ranges.used),
-                    static_cast<long long>(summary->subjects[s].ranges));
+                    static_cast<long long>(summary->subjects[s].ranges.heard));
         EXPECT_LT(data->shownRun()->comparison->root.position_m, 0.01) << "the root was given, on take time";
     }
 

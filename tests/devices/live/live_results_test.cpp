@@ -62,7 +62,7 @@ TEST_P(LiveResults, AreThoseOfTheFile) {
         ADD_FAILURE() << warning;
     ASSERT_TRUE(recorded->stream.results);
     EXPECT_GT(recorded->stream.results->poses, 200);
-    EXPECT_GT(recorded->stream.results->ranges, 100);
+    EXPECT_GT(recorded->stream.results->ranges.heard, 100);
     const std::string live = folder.file("live_001.noctule");
     EXPECT_EQ(folder.names(), std::vector<std::string>{"live_001.noctule"});
     expectSameResults(live, processedFromFile(folder, live));
@@ -133,7 +133,7 @@ TEST(LiveResultsOf, ATakeThatBeganInTheMidstAreThoseOfTheFile) {
         ADD_FAILURE() << warning;
     ASSERT_TRUE(recorded.results);
     EXPECT_GT(recorded.results->poses, 100);
-    EXPECT_GT(recorded.results->ranges, 50);
+    EXPECT_GT(recorded.results->ranges.heard, 50);
     const std::string live = folder.file("live_001.noctule");
     const int64_t origin = 302'500 - recorded.recording->samples;
     EXPECT_EQ(origin % 600, 0) << "it begins with a block";
