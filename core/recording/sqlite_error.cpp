@@ -14,7 +14,7 @@ Error sqliteError(sqlite3* handle, const std::string& name) {
             return {ErrorKind::kUnreadable, name + ": is not a take", "Choose a .noctule file"};
         case SQLITE_CORRUPT:
         case SQLITE_TOOBIG:
-            return {ErrorKind::kUnreadable, name + ": the file is damaged" + detail,
+            return {ErrorKind::kUnreadable, name + ": the file is damaged",
                     "Run `noctule --batch recover` on it, which saves what can be read into a new file",
                     true};
         case SQLITE_INTERRUPT:

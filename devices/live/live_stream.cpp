@@ -11,8 +11,9 @@
 namespace noctule {
 namespace {
 
-/// Beyond what is held for the longest pre-roll: a slow disk may need so long to make the file.
-constexpr double kSpareHeld_s = 2;
+/// Beyond what is held for the longest pre-roll: a slow disk may need so long to make the file, and a slow
+/// machine to see what arrived.
+constexpr double kSpareHeld_s = 5;
 
 }  // namespace
 
@@ -129,7 +130,8 @@ Status LiveSession::beginInMidst(const StreamRequest& request, const link::Hello
             return notReady();
         const double pre_roll_s = std::clamp(request.take->pre_roll_s, 0.0, kLongestPreRoll_s);
         const int64_t now = past_->endSample();
-        origin = past_->boundaryAt(now - std::llround(pre_roll_s * hello.sample_rate_hz));
+        const int64_t seen = std::min(now, request.take->seen_sample.value_or(now));
+        origin = past_->boundaryAt(seen - std::llround(pre_roll_s * hello.sample_rate_hz));
         pre_roll_samples = now - origin;
     }
     // The stream goes on giving its poses: those of a second pipeline would come between them.

@@ -17,8 +17,9 @@ namespace noctule {
 struct RecordingRequest {
     std::filesystem::path folder;
     std::string name = "take";
-    double pre_roll_s =
-        0;  ///< in the midst of a stream: it begins so long before now, up to kLongestPreRoll_s
+    /// In the midst of a stream: it begins so long before `seen_sample`, up to kLongestPreRoll_s.
+    double pre_roll_s = 0;
+    std::optional<int64_t> seen_sample{};  ///< of that stream; absent: now
     std::string take_kind = "motion";
     std::map<std::string, std::string> meta;  ///< performer, actor_name, ...
     int64_t reserve_bytes = RecorderSettings{}.reserve_bytes;

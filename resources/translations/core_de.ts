@@ -2600,11 +2600,11 @@
     </message>
     <message>
         <source>%1: its times of day have no date and jump back by %2 h; the clock was probably set back, but the next day is possible too</source>
-        <translation>%1: seine Uhrzeiten haben kein Datum und springen um %2 h zurück; wahrscheinlich wurde die Uhr zurückgestellt, aber auch der nächste Tag ist möglich</translation>
+        <translation>%1: seine Uhrzeiten haben kein Datum und springen um %2 h zurück; wahrscheinlich wurde die Uhr zurückgestellt, aber auch der nächste Tag ist möglich</translation>
     </message>
     <message>
         <source>%1: its times of day have no date, so a hole of %2 h is a guess; it may be longer by whole days</source>
-        <translation>%1: seine Uhrzeiten haben kein Datum, eine Lücke von %2 h ist also geschätzt; sie kann um ganze Tage länger sein</translation>
+        <translation>%1: seine Uhrzeiten haben kein Datum, eine Lücke von %2 h ist also geschätzt; sie kann um ganze Tage länger sein</translation>
     </message>
     <message>
         <source>%1: more than half of %2 repeat the one before; the sensor may stand still or the file may hold fewer</source>
@@ -5687,8 +5687,8 @@
         <translation>%1: die Datei ist an ihrem Anfang beschädigt</translation>
     </message>
     <message>
-        <source>%1: the file is damaged%2</source>
-        <translation>%1: die Datei ist beschädigt%2</translation>
+        <source>%1: the file is damaged</source>
+        <translation>%1: die Datei ist beschädigt</translation>
     </message>
     <message>
         <source>%1: the pose at %2 ns is not finite</source>

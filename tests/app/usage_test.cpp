@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <optional>
 
+#include "core/suit/calibration.h"
+#include "core/suit/default_suit.h"
 #include "tests/support/program_run.h"
 
 namespace noctule::test {
@@ -166,6 +168,7 @@ TEST(Usage, ANameMayBeThatOfTheOutput) {
     const std::string out = folder.file("x.csv");
     const Ran ran = batch({"orient", kTinyTake, "--run-name", out, "--csv", out});
     EXPECT_EQ(ran.err.find("is read and would be written"), std::string::npos) << ran.err;
+    writeBytes(out, toJson(nominalCalibration(defaultSuit())).dump());
     expectRefusal({"orient", kTinyTake, "--calibration", out, "--csv", out}, 2, {out, "is read"});
 }
 

@@ -113,9 +113,7 @@ void MainWindow::showSuit() {
     const bool all_fine = std::ranges::all_of(readiness.boards, [](const BoardReadiness& board) {
         return board.state == BoardReadiness::State::kFine;
     });
-    // The count is coloured by boards alone; what else hinders is named.
-    if (all_fine && !is_ready && !readiness.problems.empty())
-        return top_bar_->showSuit(Tone::kError, wordsOf(readiness.problems.front(), worst.check).title, box);
+    // The count is coloured by boards alone; what else there is marks the step Connect.
     const QString boards =
         tr("%1/%2 boards", "there, of all").arg(readiness.boards_there).arg(readiness.boards.size());
     top_bar_->showSuit(all_fine   ? Tone::kOk

@@ -41,13 +41,15 @@ public:
         /// Of a room, of several suits: who began it shows it. It is neither processed nor opened in Review.
         bool is_survey = false;
     };
-    /// What a calibration works on: the last seconds of what is looked at, as a short take of its own.
+    /// What a calibration works on: the seconds before `seen_sample` of what is looked at, as a short take of
+    /// its own. However late it is kept, it begins there.
     struct EvidencePlan {
-        QString base_name;  ///< "accelerometers_1"
-        std::string kind;   ///< of the take: level, turntable, jig, motion
+        std::optional<int64_t> seen_sample;  ///< LiveFrame::sample; absent: now
+        QString base_name;                   ///< "accelerometers_1"
+        std::string kind;                    ///< of the take: level, turntable, jig, motion
         double length_s = 0;
         QString placement;  ///< of a jig: marked over the whole length
-        double rest_s = 0;  ///< so long before its end the rest pose is held; marked
+        double rest_s = 0;  ///< so long before seen_sample the rest pose is held; marked
     };
     struct Surroundings {
         std::string software;

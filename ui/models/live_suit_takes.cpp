@@ -62,6 +62,7 @@ StreamRequest LiveSuit::requestOf(const EvidencePlan& plan) const {
     take.folder = session_.session().evidenceFolder();
     take.name = plan.base_name.toStdString();
     take.pre_roll_s = plan.length_s;
+    take.seen_sample = plan.seen_sample;
     take.take_kind = plan.kind;
     request.take = std::move(take);
     return request;
@@ -185,7 +186,7 @@ QString LiveSuit::keepEvidence(const EvidencePlan& plan) {
     jobs_.start<StreamResult>(
         tr("Keeping %1").arg(plan.base_name),
         [live = live_, request = requestOf(plan), placement = plan.placement.toStdString(),
-         rest_s = plan.rest_s](const JobContext& job) -> Result<StreamResult> {
+         length_s = plan.length_s, rest_s = plan.rest_s](const JobContext& job) -> Result<StreamResult> {
             if (!live->status()->stream_is_open)
                 return Error{ErrorKind::kDevice, "The stream broke off before the step was kept",
                              "It begins again when the suit is back"};
@@ -194,7 +195,8 @@ QString LiveSuit::keepEvidence(const EvidencePlan& plan) {
             if (!placement.empty())
                 live->addMarker("placement", placement, 0);
             if (const auto hello = live->status()->hello; hello && rest_s > 0) {
-                const int64_t end = live->reachedSample() - 1;
+                const int64_t end = std::min<int64_t>(live->reachedSample() - 1,
+                                                      std::llround(length_s * hello->sample_rate_hz));
                 live->addMarker("rest", "begin",
                                 std::max<int64_t>(0, end - std::llround(rest_s * hello->sample_rate_hz)));
                 live->addMarker("rest", "end", end);

@@ -4,6 +4,7 @@
 #include <QBoxLayout>
 #include <QPainter>
 #include <QPainterPath>
+#include <algorithm>
 
 #include "ui/style/theme.h"
 #include "ui/widgets/accessible.h"
@@ -54,8 +55,43 @@ Button* ProblemCard::addAction(const QString& text, const QString& icon_name) {
     }
     const bool first = actions_->count() == 1;
     Button* button = makeButton(first ? ButtonKind::kOutlined : ButtonKind::kText, text, icon_name);
-    actions_->insertWidget(actions_->count() - 1, button);
+    actions_->insertWidget(actions_->count() - 1, button, 0, Qt::AlignLeft);
+    arrangeActions();
     return button;
+}
+
+std::vector<int> ProblemCard::actionWidths() const {
+    std::vector<int> widths;
+    for (int i = 0; actions_ && i < actions_->count(); ++i)
+        if (const QWidget* button = actions_->itemAt(i)->widget(); button && !button->isHidden())
+            widths.push_back(button->sizeHint().width());
+    return widths;
+}
+
+/// Beside one another where they find room, else below.
+void ProblemCard::arrangeActions() {
+    if (!actions_)
+        return;
+    int needed = -actions_->spacing();
+    for (const int width : actionWidths())
+        needed += width + actions_->spacing();
+    actions_->setDirection(needed > contentsRoom() ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+}
+
+int ProblemCard::contentsRoom() const {
+    const QMargins around = content_->contentsMargins();
+    return width() - around.left() - around.right();
+}
+
+QSize ProblemCard::minimumSizeHint() const {
+    QSize least = QWidget::minimumSizeHint();
+    if (!actions_)
+        return least;
+    int widest = std::max(content_->itemAt(0)->minimumSize().width(), text_->minimumSizeHint().width());
+    for (const int width : actionWidths())
+        widest = std::max(widest, width);
+    least.setWidth(widest + width() - contentsRoom());
+    return least;
 }
 
 void ProblemCard::setClosable(bool closable) {
@@ -79,6 +115,7 @@ void ProblemCard::restyle() {
         actions_->setContentsMargins(0, theme.px(4), 0, 0);
         actions_->setSpacing(theme.px(8));
     }
+    arrangeActions();
     update();
 }
 
@@ -89,6 +126,7 @@ void ProblemCard::placeClose() {
 }
 
 void ProblemCard::resizeEvent(QResizeEvent*) {
+    arrangeActions();
     placeClose();
 }
 

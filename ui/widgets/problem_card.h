@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QWidget>
+#include <vector>
 
 #include "ui/style/ink.h"
 
@@ -28,6 +29,8 @@ public:
     /// A cross at top right; closed() is the owner's to act on.
     void setClosable(bool closable);
     QString title() const;
+    /// As wide as its widest action: those that find no room beside one another stand below.
+    QSize minimumSizeHint() const override;
 
 signals:
     void closed();
@@ -39,6 +42,9 @@ protected:
 
 private:
     void restyle();
+    void arrangeActions();
+    std::vector<int> actionWidths() const;
+    int contentsRoom() const;
     void placeClose();
 
     Tone tone_;

@@ -9,6 +9,7 @@
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
+#include "ui/widgets/elided_label.h"
 #include "ui/widgets/label.h"
 #include "ui/widgets/problem_card.h"
 #include "ui/widgets/question.h"
@@ -124,7 +125,9 @@ void CalibratePage::showHistory() {
         const bool in_force = shelf.isInForce(one);
         card->setSelected(in_force);
         auto* column = makeColumn(card, {12, 8, 12, 8}, 2);
-        column->addWidget(new Label(one.file.section('.', 0, 0), TextRole::kBody, Ink::kValue));
+        auto* name = new ElidedLabel(one.file.section('.', 0, 0));
+        name->setElideMode(Qt::ElideMiddle);
+        column->addWidget(name);
         column->addWidget(new Label(in_force ? tr("%1, in use").arg(dateText(one.made().toLocalTime()))
                                              : dateText(one.made().toLocalTime()),
                                     TextRole::kSecondary, Ink::kHint));

@@ -250,6 +250,7 @@ void WizardRun::keep() {
     LiveSuit::EvidencePlan plan;
     plan.kind = takeKindOf(task_).toStdString();
     plan.base_name = QStringLiteral("%1_%2").arg(keyOf(task_)).arg(*now.step + 1);
+    plan.seen_sample = looked_at_;
     plan.length_s = leadOf(task_) + holdOf(task_) + kMargin_s;
     // Without its margin, in which the performer may not have stood still yet.
     if (task_ == WizardTask::kRestPose || task_ == WizardTask::kCheck)

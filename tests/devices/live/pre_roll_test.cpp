@@ -95,6 +95,22 @@ TEST(PreRoll, ATakeHoldsTheSecondBeforeItWasAskedFor) {
     EXPECT_EQ(markers->at(1).sample, 150'000);
 }
 
+/// A machine that is slow sees things late, and the take of what it saw begins no later for that.
+TEST(PreRoll, ATakeOfWhatWasSeenBeginsBeforeThat) {
+    const Folder folder;
+    Worn worn;
+    worn.hear(0, 12 * 150'000);
+    StreamRequest request = takeInto(folder, 10);
+    request.take->seen_sample = 10 * 150'000 + 90'000;
+    ASSERT_TRUE(worn.session.begin(request));
+    EXPECT_EQ(worn.session.reachedSample(), 12 * 150'000 - 90'000);
+    const StreamResult result = worn.session.finish();
+    ASSERT_TRUE(result.recording);
+    const Result<Take> take = Take::open(result.recording->path);
+    ASSERT_TRUE(take) << take.error().text();
+    expectStreamFrom(*take, 90'000, 12 * 150'000);
+}
+
 TEST(PreRoll, TakesFollowOneAnotherWhileTheSuitStreams) {
     const Folder folder;
     Worn worn;

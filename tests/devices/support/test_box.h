@@ -71,6 +71,7 @@ public:
         std::string serial = {};  ///< empty: the usual one
         double drive_hz = 0;      ///< 0: the take's
         bool fixed = false;       ///< all of it hangs in the room
+        std::optional<float> temperature_c{};
     };
 
     explicit TestBox(const Options& options)
@@ -131,7 +132,12 @@ private:
             board.segment = options_.fixed ? "" : board.segment;
         for (Source& source : hello.suit.sources)
             source.segment = options_.fixed ? "" : source.segment;
-        return std::make_unique<link::BoxConversation>(hello, options);
+        auto box = std::make_unique<link::BoxConversation>(hello, options);
+        link::BoxStatus conditions;
+        conditions.temperature_c = options_.temperature_c;
+        conditions.board_flags.assign(hello.suit.boards.size(), link::kBoardConnected);
+        box->setConditions(conditions);
+        return box;
     }
 
     void run() {

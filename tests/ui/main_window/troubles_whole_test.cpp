@@ -137,7 +137,7 @@ TEST_P(TroublesWhole, CalibrationsOfASessionAndOfAnotherSuit) {
     found.calibration = nominalCalibration(studio_->suit().suit());
     found.calibration.created_utc = "2026-03-01T10:00:00Z";
     ASSERT_EQ(studio_->calibrations().save(found, "accelerometers"), "");
-    const QString of_ann = folder_.filePath("accelerometers-2026-03-01-of-the-suit-of-ann.json");
+    const QString of_ann = folder_.filePath("messung-2026-03-01-anzug-von-ann-im-saal.json");
     ASSERT_EQ(studio_->calibrations().exportFile(of_ann), "");
     add(bob);
     found.calibration = nominalCalibration(studio_->suit().suit());
@@ -169,7 +169,7 @@ TEST_P(TroublesWhole, CalibrationsOfASessionAndOfAnotherSuit) {
                 button->click();
     });
     calibrate.importFile(of_ann);
-    ASSERT_TRUE(studio_->calibrations().fileInForce().contains("of-ann"));
+    ASSERT_TRUE(studio_->calibrations().fileInForce().contains("von-ann"));
     lookAtLeftPanel(Step::kCalibrate, "history with a long name and another suit");
 }
 

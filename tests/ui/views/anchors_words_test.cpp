@@ -38,12 +38,15 @@ TEST_F(AnchorsWords, TheyAreAddedAsAnchorsOnceTheyAreKnown) {
     studio_->finder().start({box.port(), false});
     DevicesPanel devices(*studio_);
     const auto offers = [&](const QString& action) {
-        return waitFor(
-            [&] { return devices.cards().size() == 1 && devices.cards()[0]->words().action == action; });
+        return waitFor([&] {
+            return std::ranges::any_of(
+                devices.cards(), [&](const DeviceCard* card) { return card->words().action == action; });
+        });
     };
     EXPECT_TRUE(offers("Add this suit"));
     studio_->finder().remember("NB-000777", true);
     EXPECT_TRUE(offers("Add these anchors"));
+    EXPECT_EQ(devices.cards().size(), 2u) << "and the suit, which is connected";
 }
 
 }  // namespace

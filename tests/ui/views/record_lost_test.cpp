@@ -59,7 +59,7 @@ TEST_F(RecordLost, AStalledSuitKeepsNoLevelsEither) {
 }
 
 TEST_F(RecordLost, WhatItToldLastIsMarkedAndTheRestIsNotKnown) {
-    TestBox box({.loops = true});
+    TestBox box({.loops = true, .temperature_c = 23.0F});
     openSession();
     ASSERT_TRUE(connectTo(box));
     using Fact = RecordReadiness::Fact;

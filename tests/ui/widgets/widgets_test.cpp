@@ -154,6 +154,23 @@ TEST_F(WidgetsTest, problemCardActs) {
     EXPECT_EQ(reader(card)->text(QAccessible::Name).toStdString(), "Left foot sends nothing");
 }
 
+TEST_F(WidgetsTest, problemCardStacksActionsThatFindNoRoomBesideOneAnother) {
+    QWidget panel;
+    panel.resize(700, 300);
+    ProblemCard card(Tone::kWarn, "Source 6 is faint", "Short.", &panel);
+    Button* check = card.addAction("Check the suit once more");
+    Button* go_on = card.addAction("Go on without the source");
+    card.resize(600, 200);
+    show(panel);
+    EXPECT_EQ(check->y(), go_on->y());
+    const int least = card.minimumSizeHint().width();
+    EXPECT_LT(least, check->width() + go_on->width());
+    card.resize(least, 200);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return go_on->y() > check->y(); }));
+    EXPECT_GE(go_on->y(), check->geometry().bottom());
+    EXPECT_LE(std::max(check->geometry().right(), go_on->geometry().right()), card.width());
+}
+
 TEST_F(WidgetsTest, problemCardGrowsWithItsText) {
     ProblemCard card(Tone::kWarn, "Source 6 is faint", "Short.");
     show(card);

@@ -51,6 +51,7 @@ TEST(ErrorPlotTest, TicksStandWhereTheirNumbersSay) {
 }
 
 TEST(ErrorPlotTest, ErrorsBeyondTheScaleAreKnownOfBothCalibrations) {
+    Theme::install(*qApp);
     ErrorPlot plot;
     const auto beyond = [&plot](std::vector<double> before, std::vector<double> after) {
         plot.setErrors({"Errors", "mm", 1, {{"row", std::move(before), std::move(after)}}});

@@ -135,7 +135,7 @@ QSize BodyMap::sizeHint() const {
 }
 
 QSize BodyMap::minimumSizeHint() const {
-    return {Theme::get().px(520),
+    return {Theme::get().px(470),
             std::max(Theme::get().px(340), Theme::get().px(kTop) + static_cast<int>(9 * labelHeight()))};
 }
 
