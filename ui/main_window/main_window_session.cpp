@@ -106,8 +106,7 @@ void MainWindow::showSuit() {
         suits > 1 ? tr("%n box(es)", "connected", suits) : QString::fromStdString(hello->serial);
     if (worst.check.lostSince().isValid())
         return top_bar_->showSuit(Tone::kError, linkBrokenInShort(), box);
-    const bool waits = readiness.verdict == Readiness::Verdict::kWaiting;
-    if (waits)
+    if (readiness.verdict == Readiness::Verdict::kWaiting)
         return top_bar_->showSuit(Tone::kNeutral, tr("Looking"), box);
     const bool is_ready = readiness.verdict == Readiness::Verdict::kReady;
     const bool all_fine = std::ranges::all_of(readiness.boards, [](const BoardReadiness& board) {

@@ -44,9 +44,9 @@ public:
     /// What a calibration works on: the seconds before `seen_sample` of what is looked at, as a short take of
     /// its own. However late it is kept, it begins there.
     struct EvidencePlan {
-        std::optional<int64_t> seen_sample;  ///< LiveFrame::sample; absent: now
-        QString base_name;                   ///< "accelerometers_1"
-        std::string kind;                    ///< of the take: level, turntable, jig, motion
+        int64_t seen_sample = 0;  ///< LiveFrame::sample
+        QString base_name;        ///< "accelerometers_1"
+        std::string kind;         ///< of the take: level, turntable, jig, motion
         double length_s = 0;
         QString placement;  ///< of a jig: marked over the whole length
         double rest_s = 0;  ///< so long before seen_sample the rest pose is held; marked

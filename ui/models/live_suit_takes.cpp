@@ -186,7 +186,7 @@ QString LiveSuit::keepEvidence(const EvidencePlan& plan) {
     jobs_.start<StreamResult>(
         tr("Keeping %1").arg(plan.base_name),
         [live = live_, request = requestOf(plan), placement = plan.placement.toStdString(),
-         length_s = plan.length_s, rest_s = plan.rest_s](const JobContext& job) -> Result<StreamResult> {
+         seen = plan.seen_sample, rest_s = plan.rest_s](const JobContext& job) -> Result<StreamResult> {
             if (!live->status()->stream_is_open)
                 return Error{ErrorKind::kDevice, "The stream broke off before the step was kept",
                              "It begins again when the suit is back"};
@@ -195,8 +195,9 @@ QString LiveSuit::keepEvidence(const EvidencePlan& plan) {
             if (!placement.empty())
                 live->addMarker("placement", placement, 0);
             if (const auto hello = live->status()->hello; hello && rest_s > 0) {
-                const int64_t end = std::min<int64_t>(live->reachedSample() - 1,
-                                                      std::llround(length_s * hello->sample_rate_hz));
+                const auto take = live->takeInput();
+                const double origin_s = take ? static_cast<double>(take->origin_ns) * 1e-9 : 0;
+                const int64_t end = seen - std::llround(origin_s * hello->sample_rate_hz);
                 live->addMarker("rest", "begin",
                                 std::max<int64_t>(0, end - std::llround(rest_s * hello->sample_rate_hz)));
                 live->addMarker("rest", "end", end);

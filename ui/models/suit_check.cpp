@@ -104,7 +104,7 @@ void SuitCheck::setChecked(std::optional<bool> is_good) {
     judge();
 }
 
-/// Each stream and each take counts its samples anew.
+/// Each stream and each take counts its samples anew: from one to the other they jump, back or ahead.
 void SuitCheck::measureRate() {
     constexpr qint64 kOver_ms = 900;
     const auto hello = suit_.status()->hello;
@@ -119,7 +119,7 @@ void SuitCheck::measureRate() {
         const double seconds = static_cast<double>(rate_clock_.restart()) * 1e-3;
         const auto samples = static_cast<double>(sample - rate_from_sample_);
         bytes_per_s_.reset();
-        if (samples > 0)
+        if (samples > 0 && samples < 2.0 * hello->sample_rate_hz * seconds)
             bytes_per_s_ = 2.0 * hello->boardCount() * samples / seconds;
         rate_from_sample_ = sample;
     }

@@ -151,6 +151,31 @@ TEST_F(LiveSuitTest, WhereEachStreamBeginsInTheRestPoseThereIsNoPreRoll) {
     ASSERT_TRUE(reach(Phase::kLooking));
 }
 
+/// However late it is kept, and also where the stream is younger than the evidence should be long.
+TEST_F(LiveSuitTest, TheRestPoseOfEvidenceEndsWhereItWasSeen) {
+    TestBox box({.loops = true});
+    openSession();
+    ASSERT_TRUE(connectTo(box));
+    ASSERT_TRUE(waitFor([&] { return suit_->frame() && suit_->frame()->sample > 200'000; }));
+    QSignalSpy kept(suit_.get(), &LiveSuit::evidenceRecorded);
+    LiveSuit::EvidencePlan plan;
+    plan.seen_sample = 60'000;
+    plan.base_name = "rest_1";
+    plan.kind = "level";
+    plan.length_s = 1;
+    plan.rest_s = 0.3;
+    ASSERT_EQ(suit_->keepEvidence(plan), "");
+    ASSERT_TRUE(waitFor([&] { return kept.count() == 1; }));
+    const auto take = Take::open(kept[0][0].toString().toStdString());
+    ASSERT_TRUE(take) << take.error().text();
+    std::vector<int64_t> rest;
+    const auto markers = take->markers();
+    for (const MarkerRow& marker : *markers)
+        if (marker.kind == "rest")
+            rest.push_back(marker.sample);
+    EXPECT_EQ(rest, (std::vector<int64_t>{15'000, 60'000}));
+}
+
 TEST_F(LiveSuitTest, ATakeShorterThanItsRestPoseIsToldAsThat) {
     TestBox box({.loops = true});
     openSession();

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QElapsedTimer>
 #include <QSettings>
 #include <QSignalSpy>
 
@@ -244,6 +245,28 @@ TEST_F(LiveSuitsTest, TheRateThatIsMeasuredIsOfAllBoxesOfATake) {
     QSignalSpy ended(suits_.get(), &LiveSuits::recordingEnded);
     suits_->stopRecording();
     ASSERT_TRUE(waitFor([&] { return ended.count() == 1; }));
+}
+
+TEST_F(LiveSuitsTest, TheRateDoesNotJumpWhenATakeEnds) {
+    openSession();
+    LiveSuit& suit = suits_->current().suit;
+    KnownWearing known = wearingOfTinyTake();
+    known.rest_s = 0;
+    suit.connectTo(QString::fromStdString(ann_->address()), known);
+    ASSERT_TRUE(waitFor([&] { return suit.reachedSample() > 600'000; }));
+    QSignalSpy ended(&suit, &LiveSuit::recordingEnded);
+    ASSERT_EQ(suit.record({"walk", {}, 0, 0.1}), "");
+    ASSERT_TRUE(waitFor([&] { return suit.recordedSeconds() >= 1.2; }));
+    suit.stopRecording();
+    double highest = 0;
+    const auto isMeasured = [&] {
+        highest = std::max(highest, suits_->current().check.bytesPerSecond().value_or(0));
+        return ended.count() == 1 && highest > 0;
+    };
+    QElapsedTimer clock;
+    clock.start();
+    ASSERT_TRUE(waitFor([&] { return isMeasured() && clock.elapsed() > 3000; }));
+    EXPECT_LT(highest, 2 * 2.0 * 2 * 150'000) << "the stream is seconds ahead of the take";
 }
 
 TEST_F(LiveSuitsTest, AnchorsAreRecordedAsTheRoom) {
