@@ -18,7 +18,6 @@ namespace noctule::ui {
 
 RobotPage::RobotPage(Studio& studio, RobotDrive& drive, QWidget* parent)
     : Page(parent),
-      studio_(studio),
       drive_(drive),
       center_(new RobotCenter(studio, drive)),
       sidebar_(new RobotSidebar(drive)),

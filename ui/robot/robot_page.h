@@ -45,7 +45,6 @@ private:
     void showRobot();
     bool actOnKey(QEvent& event);
 
-    Studio& studio_;
     RobotDrive& drive_;
     RobotCenter* center_;
     RobotSidebar* sidebar_;

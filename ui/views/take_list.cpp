@@ -19,7 +19,7 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kRow = 28;  // pixels at 100 percent
+constexpr int kListRow = 28;  // pixels at 100 percent
 constexpr int kEmptyRows = 3, kMostRows = 10;
 
 /// Take files among what is dragged.
@@ -104,11 +104,11 @@ int TakeList::rowsShown(int most) const {
 }
 
 QSize TakeList::sizeHint() const {
-    return {Theme::get().px(216), rowsShown(kMostRows) * Theme::get().px(kRow)};
+    return {Theme::get().px(216), rowsShown(kMostRows) * Theme::get().px(kListRow)};
 }
 
 QSize TakeList::minimumSizeHint() const {
-    return {Theme::get().px(160), rowsShown(kEmptyRows) * Theme::get().px(kRow)};
+    return {Theme::get().px(160), rowsShown(kEmptyRows) * Theme::get().px(kListRow)};
 }
 
 void TakeList::keyPressEvent(QKeyEvent* event) {
