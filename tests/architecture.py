@@ -33,7 +33,7 @@ QT_SCREEN = re.compile(r"Qt(Gui|Widgets|Svg|OpenGL)(/.*)?|Q(Widget|Application|G
 NOT_IN_CORE = re.compile(r"std::(jthread|thread|async|cout|cerr|random_device|time|clock)\b|\bpthread_\w+"
                          r"|\b(system|steady|high_resolution|utc)_clock\b|\b(gettimeofday|clock_gettime|getenv)\b")
 HEADERS_NOT_IN_CORE = {"thread", "future", "pthread.h", "iostream"}
-ROOM_LINE = re.compile(r"^noctule_library\((\w+)(?:\s+(?:PLAIN|COLD))*(?:\s+PARTS\s+([\w\s]+?))?"
+ROOM_LINE = re.compile(r"^noctule_library\((\w+)(?:\s+(?:QT|COLD))*(?:\s+PARTS\s+([\w\s]+?))?"
                        r"(?:\s+LINK\s+([^)]*))?\)", re.MULTILINE)
 QT_SCREEN_LIBRARY = re.compile(r"\bQt5::(Gui|Widgets|Svg|OpenGL\w*|PrintSupport)\b")
 QT_OF_BASE = {"Core", "Gui", "Widgets", "Network", "Test"}  # come with the package of Qt5 itself
