@@ -27,7 +27,7 @@ step() {
 
 # The studio and devices are left out, two thirds of the whole build. Who has configured build/release keeps it as it is.
 build() {
-    [ -e build/release/bin/noctule ] || echo "Building for the first time: eleven to fourteen minutes of one core."
+    [ -e build/release/bin/noctule ] || echo "Building for the first time: ten to twelve minutes of one core."
     if [ ! -e build/release/CMakeCache.txt ]; then
         packaging/configure.sh jobs
     elif [ ! -e build/release/build.ninja ]; then  # a configuration that broke off

@@ -9,7 +9,7 @@
 #include "core/import/markers.h"
 #include "core/processing/attach_reference.h"
 #include "core/processing/survey_room.h"
-#include "devices/device/clock.h"
+#include "devices/machine/clock.h"
 
 namespace noctule::batch {
 namespace {

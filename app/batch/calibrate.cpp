@@ -11,7 +11,7 @@
 #include "core/job/atomic_file.h"
 #include "core/processing/calibrate_sensors.h"
 #include "core/processing/survey_room.h"
-#include "devices/device/clock.h"
+#include "devices/machine/clock.h"
 
 namespace noctule::batch {
 namespace {

@@ -13,8 +13,8 @@
 #include "core/import/segment_map.h"
 #include "core/import/sensor_findings.h"
 #include "core/job/outside_text.h"
-#include "devices/device/clock.h"
-#include "devices/device/random_uuid.h"
+#include "devices/machine/clock.h"
+#include "devices/machine/random_uuid.h"
 
 namespace noctule::batch {
 namespace {

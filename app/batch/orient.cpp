@@ -7,7 +7,7 @@
 #include "core/job/outside_text.h"
 #include "core/processing/orient_take.h"
 #include "core/processing/orientation_csv.h"
-#include "devices/device/clock.h"
+#include "devices/machine/clock.h"
 
 namespace noctule::batch {
 namespace {

@@ -14,7 +14,7 @@
 #include "core/processing/points_table.h"
 #include "core/processing/process_take.h"
 #include "core/recording/take_copy.h"
-#include "devices/device/clock.h"
+#include "devices/machine/clock.h"
 
 namespace noctule::batch {
 namespace {

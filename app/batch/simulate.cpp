@@ -8,7 +8,7 @@
 #include "app/batch/verb.h"
 #include "core/job/atomic_file.h"
 #include "core/math/conventions.h"
-#include "devices/device/clock.h"
+#include "devices/machine/clock.h"
 
 namespace noctule::batch {
 namespace {

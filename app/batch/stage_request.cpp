@@ -5,7 +5,7 @@
 #include "app/batch/motion_file.h"
 #include "app/batch/program.h"
 #include "core/suit/default_suit.h"
-#include "devices/device/clock.h"
+#include "devices/machine/clock.h"
 
 namespace noctule::batch {
 namespace {

@@ -19,7 +19,7 @@
 #include "app/ros_bridge/udp_socket.h"
 #include "core/robot/driven_parts.h"
 #include "core/robot/urdf_reader.h"
-#include "devices/device/clock.h"
+#include "devices/machine/clock.h"
 #include "devices/robot/datagram.h"
 
 namespace noctule::ros_bridge {

@@ -17,7 +17,7 @@
 #include "app/studio/speech.h"
 #include "app/studio/start_clock.h"
 #include "core/job/heap.h"
-#include "devices/device/clock.h"
+#include "devices/machine/clock.h"
 #include "ui/main_window/look.h"
 #include "ui/main_window/studio_windows.h"
 #include "ui/models/end_signals.h"

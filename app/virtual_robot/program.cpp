@@ -13,7 +13,7 @@
 #include "app/virtual_suit/control_port.h"
 #include "core/robot/live_drive.h"
 #include "core/robot/urdf_reader.h"
-#include "devices/device/clock.h"
+#include "devices/machine/clock.h"
 
 namespace noctule::virtual_robot {
 namespace {

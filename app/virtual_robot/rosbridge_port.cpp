@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/virtual_robot/robot_ports.h"
-#include "devices/device/clock.h"
+#include "devices/machine/clock.h"
 
 namespace noctule::virtual_robot {
 namespace {

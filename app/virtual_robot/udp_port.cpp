@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/virtual_robot/robot_ports.h"
-#include "devices/device/clock.h"
+#include "devices/machine/clock.h"
 
 namespace noctule::virtual_robot {
 

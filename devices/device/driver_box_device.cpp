@@ -2,7 +2,7 @@
 #include "devices/device/driver_box_device.h"
 
 #include "core/job/contract.h"
-#include "devices/device/clock.h"
+#include "devices/machine/clock.h"
 
 namespace noctule {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/job/contract.h"
-#include "devices/device/clock.h"
+#include "devices/machine/clock.h"
 
 namespace noctule {
 

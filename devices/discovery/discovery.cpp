@@ -9,11 +9,11 @@
 #include <utility>
 
 #include "devices/device/address.h"
-#include "devices/device/clock.h"
 #include "devices/device/device.h"
 #include "devices/device/loop_thread.h"
 #include "devices/discovery/found_list.h"
 #include "devices/discovery/lan_search.h"
+#include "devices/machine/clock.h"
 
 namespace noctule {
 

@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "devices/device/clock.h"
 #include "devices/live/live_plans.h"
+#include "devices/machine/clock.h"
 
 namespace noctule {
 namespace {

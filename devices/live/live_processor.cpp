@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/live/pose_predictor.h"
-#include "devices/device/clock.h"
+#include "devices/machine/clock.h"
 
 namespace noctule {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "core/job/limits.h"
 #include "core/job/outside_text.h"
-#include "devices/device/clock.h"
+#include "devices/machine/clock.h"
 
 namespace noctule {
 namespace {

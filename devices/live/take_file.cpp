@@ -4,9 +4,9 @@
 #include <system_error>
 
 #include "core/session/take_folder.h"
-#include "devices/device/random_uuid.h"
 #include "devices/live/arrival_clock.h"
 #include "devices/live/take_sink.h"
+#include "devices/machine/random_uuid.h"
 
 namespace noctule {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <future>
 
-#include "devices/device/clock.h"
+#include "devices/machine/clock.h"
 
 namespace noctule {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <thread>
 
-#include "devices/device/clock.h"
+#include "devices/machine/clock.h"
 #include "devices/robot/drive_table.h"
 
 namespace noctule::robot_link {

@@ -5,7 +5,7 @@
 #include <QNetworkProxy>
 #include <algorithm>
 
-#include "devices/device/clock.h"
+#include "devices/machine/clock.h"
 
 namespace noctule::robot_link {
 namespace {

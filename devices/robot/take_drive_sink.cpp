@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "core/recording/take_edit.h"
-#include "devices/device/clock.h"
+#include "devices/machine/clock.h"
 #include "devices/robot/drive_recorder.h"
 
 namespace noctule::robot_link {

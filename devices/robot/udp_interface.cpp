@@ -4,7 +4,7 @@
 #include <QNetworkDatagram>
 #include <algorithm>
 
-#include "devices/device/clock.h"
+#include "devices/machine/clock.h"
 
 namespace noctule::robot_link {
 namespace {

@@ -12,7 +12,7 @@
 #include "core/job/atomic_file.h"
 #include "core/job/staged_progress.h"
 #include "core/processing/process_take.h"
-#include "devices/device/random_uuid.h"
+#include "devices/machine/random_uuid.h"
 
 namespace noctule::ui {
 namespace {

@@ -7,7 +7,7 @@
 #include "core/robot/saved_profile.h"
 #include "core/robot/urdf_reader.h"
 #include "core/robot_film/robot_mesh.h"
-#include "devices/device/clock.h"
+#include "devices/machine/clock.h"
 #include "ui/language/core_words.h"
 #include "ui/robot/robot_running.h"
 #include "ui/robot/robot_words.h"

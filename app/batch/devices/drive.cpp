@@ -11,7 +11,7 @@
 #include "core/math/rotation.h"
 #include "core/processing/pose_runs.h"
 #include "core/robot/urdf_reader.h"
-#include "devices/device/clock.h"
+#include "devices/machine/clock.h"
 #include "devices/robot/drive_loop.h"
 
 namespace noctule::batch {

@@ -5,7 +5,7 @@
 #include "app/batch/devices/record_together.h"
 #include "app/batch/files.h"
 #include "app/batch/program.h"
-#include "devices/device/clock.h"
+#include "devices/machine/clock.h"
 
 namespace noctule::batch {
 namespace {

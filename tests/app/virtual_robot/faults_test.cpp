@@ -14,7 +14,7 @@
 #include "core/body/actor.h"
 #include "core/math/rotation.h"
 #include "core/robot/urdf_reader.h"
-#include "devices/device/clock.h"
+#include "devices/machine/clock.h"
 #include "devices/robot/drive_loop.h"
 #include "tests/support/plain_arm.h"
 

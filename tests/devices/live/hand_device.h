@@ -3,8 +3,8 @@
 // looks at it.
 #pragma once
 
-#include "devices/device/clock.h"
 #include "devices/live/live_session.h"
+#include "devices/machine/clock.h"
 #include "tests/devices/live/fake_device.h"
 
 namespace noctule::test {

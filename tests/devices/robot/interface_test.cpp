@@ -9,7 +9,7 @@
 #include <QWebSocket>
 #include <QWebSocketServer>
 
-#include "devices/device/clock.h"
+#include "devices/machine/clock.h"
 #include "devices/robot/datagram.h"
 #include "devices/robot/robot_interface.h"
 #include "devices/robot/ros_messages.h"

@@ -9,9 +9,9 @@
 #include <thread>
 
 #include "core/recording/take.h"
-#include "devices/device/clock.h"
 #include "devices/driver_box/box_conversation.h"
 #include "devices/driver_box/studio_event.h"
+#include "devices/machine/clock.h"
 #include "tests/devices/support/box_stream.h"
 #include "tests/support/take_files.h"
 

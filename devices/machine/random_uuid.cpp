@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "devices/device/random_uuid.h"
+#include "devices/machine/random_uuid.h"
 
 #include <QUuid>
 

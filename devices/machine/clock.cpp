@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "devices/device/clock.h"
+#include "devices/machine/clock.h"
 
 #include <chrono>
 #include <ctime>
