@@ -81,7 +81,7 @@ void LiveSuit::connectTo(const QString& address, const KnownWearing& known) {
     own_ = known.calibration;
     is_own_ = true;
     live_ = std::make_shared<LiveSession>(std::move(*device));
-    if (closing_ == 0)
+    if (closing_.isEmpty())
         live_->connect();
     looks_ = 0;
     timer_.start();
@@ -106,7 +106,7 @@ void LiveSuit::disconnectSuit() {
 /// waits for it.
 void LiveSuit::release() {
     ++connection_;
-    ++closing_;
+    closing_.append(address_);
     timer_.stop();
     lone_timer_.stop();
     endBlinking();
@@ -116,8 +116,8 @@ void LiveSuit::release() {
             live.reset();
             return Done{};
         },
-        [self = QPointer(this)](const Result<Done>&) {
-            if (self && --self->closing_ == 0 && self->live_)
+        [self = QPointer(this), address = address_](const Result<Done>&) {
+            if (self && self->closing_.removeOne(address) && self->closing_.isEmpty() && self->live_)
                 self->live_->connect();
             return QString();
         },

@@ -6,6 +6,7 @@
 
 #include <QElapsedTimer>
 #include <QObject>
+#include <QStringList>
 #include <QTimer>
 #include <memory>
 #include <mutex>
@@ -61,6 +62,8 @@ public:
 
     Phase phase() const { return phase_; }
     const QString& address() const { return address_; }
+    /// An earlier connection to this address is still being closed; the next one waits for it.
+    bool isClosing(const QString& address) const { return closing_.contains(address); }
     /// The suit that is connected goes first. `known`: beforehand; of the virtual suit.
     void connectTo(const QString& address, const KnownWearing& known = {});
     /// A take that is being recorded ends intact first.
@@ -194,8 +197,8 @@ private:
     };
     std::shared_ptr<PoseTap> pose_tap_ = std::make_shared<PoseTap>();  ///< of streams that still end, too
     std::shared_ptr<LiveSession> live_;
-    int connection_ = 0;  ///< what jobs of an earlier one bring is void
-    int closing_ = 0;     ///< earlier ones that jobs still close
+    int connection_ = 0;   ///< what jobs of an earlier one bring is void
+    QStringList closing_;  ///< addresses of earlier ones that jobs still close
     QString address_, next_address_;
     QString box_;  ///< serial number of the one that was connected there
     Phase phase_ = Phase::kNone;

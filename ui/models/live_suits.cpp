@@ -119,7 +119,11 @@ void LiveSuits::add(const QString& address, const KnownWearing& known) {
                     tr("Disconnect one of them first"));
         return;
     }
-    const auto free = std::ranges::find_if(all_, [](const auto& worn) { return !hasSuit(*worn); });
+    // The one that was at this address before waits until its earlier connection is closed.
+    auto free = std::ranges::find_if(
+        all_, [&](const auto& worn) { return !hasSuit(*worn) && worn->suit.isClosing(address); });
+    if (free == all_.end())
+        free = std::ranges::find_if(all_, [](const auto& worn) { return !hasSuit(*worn); });
     SuitInUse& worn = free != all_.end() ? **free : make();
     worn.suit.connectTo(address, known);
     if (hasSuit(worn))

@@ -73,6 +73,18 @@ protected:
     std::unique_ptr<LiveSuits> suits_;
 };
 
+TEST_F(LiveSuitsTest, ABoxComesBackWhereItWas) {
+    ASSERT_TRUE(connectBoth());
+    const SuitInUse& of_bob = second();
+    first().suit.disconnectSuit();
+    first().suit.disconnectSuit();
+    ASSERT_TRUE(suits_->connected().empty());
+    suits_->add(QString::fromStdString(bob_->address()), wearingOfTinyTake());
+    ASSERT_EQ(suits_->connected().size(), 1U);
+    EXPECT_EQ(&first(), &of_bob) << "there its earlier connection is waited for";
+    EXPECT_TRUE(looks(first()));
+}
+
 TEST_F(LiveSuitsTest, OneMoreIsLookedAtAndWornByAPerformerOfItsOwn) {
     ASSERT_TRUE(connectBoth());
     EXPECT_EQ(&suits_->current(), &second());
