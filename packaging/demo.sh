@@ -64,3 +64,8 @@ Report     $PWD/$out/report.html
 Animation  $PWD/$out/boxer.bvh
 Positions  $PWD/$out/boxer.csv
 END
+if grep -q '^NOCTULE_QUICK:BOOL=ON' build/release/CMakeCache.txt; then
+    echo
+    echo "This build is for the demo: it has no studio, and calibration, import and reports are slower in it."
+    echo "For work: packaging/package.sh, or cmake --preset release."
+fi
