@@ -11,7 +11,7 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kInset = 12, kDot = 8, kTakeGap = 8, kTakeRow = 28;
+constexpr int kInset = 12, kDot = 8, kTakeGap = 8;
 
 QRect starsArea(const QRect& row) {
     const QSize stars = RatingStars::sizeOf();
@@ -22,7 +22,7 @@ QRect starsArea(const QRect& row) {
 }  // namespace
 
 QSize TakeDelegate::sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const {
-    return {0, Theme::get().px(kTakeRow)};
+    return {0, Theme::get().px(kRow)};
 }
 
 QWidget* TakeDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem& option,

@@ -10,6 +10,8 @@ namespace noctule::ui {
 class TakeDelegate : public QStyledItemDelegate {
     Q_OBJECT
 public:
+    static constexpr int kRow = 28;  ///< height of a row, pixels at 100 percent
+
     using QStyledItemDelegate::QStyledItemDelegate;
 
     void paint(QPainter* painter, const QStyleOptionViewItem& option,

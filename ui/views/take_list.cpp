@@ -19,7 +19,6 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kListRow = 28;  // pixels at 100 percent
 constexpr int kEmptyRows = 3, kMostRows = 10;
 
 /// Take files among what is dragged.
@@ -104,11 +103,11 @@ int TakeList::rowsShown(int most) const {
 }
 
 QSize TakeList::sizeHint() const {
-    return {Theme::get().px(216), rowsShown(kMostRows) * Theme::get().px(kListRow)};
+    return {Theme::get().px(216), rowsShown(kMostRows) * Theme::get().px(TakeDelegate::kRow)};
 }
 
 QSize TakeList::minimumSizeHint() const {
-    return {Theme::get().px(160), rowsShown(kEmptyRows) * Theme::get().px(kListRow)};
+    return {Theme::get().px(160), rowsShown(kEmptyRows) * Theme::get().px(TakeDelegate::kRow)};
 }
 
 void TakeList::keyPressEvent(QKeyEvent* event) {
