@@ -60,7 +60,7 @@ TEST(Translation, NoSentenceOfCoreIsMissing) {
     QProcess check;
     check.setWorkingDirectory(kSources);
     check.start("python3", {"-B", "packaging/core_sentences.py", "--check"});
-    ASSERT_TRUE(check.waitForFinished());
+    ASSERT_TRUE(check.waitForFinished(-1));
     EXPECT_EQ(check.exitCode(), 0) << check.readAll().toStdString()
                                    << "Run packaging/translations.sh, then translate.";
 }
@@ -100,7 +100,7 @@ TEST(Translation, NoSentenceOfTheSourcesIsMissing) {
         if (QLatin1String(language) == "en")
             arguments.append("-pluralonly");
         update.start(program, arguments + QStringList{"-ts", fresh});
-        ASSERT_TRUE(update.waitForFinished());
+        ASSERT_TRUE(update.waitForFinished(-1));
         std::map<QString, bool> known;
         for (const Message& message : readTs(translationPath(name)))
             known[message.key()] = false;

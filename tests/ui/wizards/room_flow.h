@@ -31,7 +31,7 @@ protected:
         program.start(NOCTULE_PROGRAM,
                       {"--batch", "simulate", "--cast", cast, "--out", take, "--level", level, "--scenario",
                        "nominal", "--duration", duration, "--seed", "4"});
-        EXPECT_TRUE(program.waitForFinished(120'000));
+        EXPECT_TRUE(program.waitForFinished(-1));
         EXPECT_EQ(program.exitCode(), 0) << program.readAllStandardError().toStdString();
         return take;
     }

@@ -110,7 +110,7 @@ protected:
                                   QString::fromStdString(smallSuit(folder_, 4)), "--seed", "3", "--level",
                                   "readings", "--out", folder_.filePath("simulated.noctule")} +
                           options);
-        ASSERT_TRUE(program.waitForFinished(60'000));
+        ASSERT_TRUE(program.waitForFinished(-1));
         ASSERT_EQ(program.exitCode(), 0) << program.readAllStandardError().toStdString();
     }
     /// Points of the rig's jig.
