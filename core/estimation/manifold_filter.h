@@ -220,6 +220,8 @@ private:
     using LimbTarget = Eigen::Matrix<double, 8, 1>;
     void watchLimbs(const std::vector<InertialMeasurement>& measurements);
     void noteForLimbs(const DistanceMeasurement& measurement);
+    void noteEnd(const ChainMotion& chain, int link, const Vector3d& p_end_m, int other_link,
+                 const Vector3d& p_other_m, const DistanceMeasurement& measurement);
     void searchLimbs();
     /// That a limb turns like this against its parent, along the axes of another frame; of zero variance.
     /// `target`: both quaternions, x y z w.

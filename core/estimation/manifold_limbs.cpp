@@ -85,61 +85,75 @@ void ManifoldFilter::alignLimbs(const std::vector<InertialMeasurement>& measurem
 /// Which limbs' turns gyroscopes see.
 void ManifoldFilter::watchLimbs(const std::vector<InertialMeasurement>& measurements) {
     for (const InertialMeasurement& measurement : measurements) {
-        const int link = suit_.boards[static_cast<size_t>(measurement.board)].link;
+        const auto b = static_cast<size_t>(measurement.board);
+        const int link = suit_.boards[b].link;
         if (link <= 0 || tree_.link(link).type != LinkType::kBall)
             continue;
         LimbRanging& ranging = now_.rangings[static_cast<size_t>(link)];
         if (measurement.gyro.isClipped())
             ranging.breakOff(seconds());
-        else if (sensedVector(measurement.gyro))  // some writers leave out the axes that clip
-            ranging.turnSeen(seconds());
+        else if (const auto rate = sensedVector(measurement.gyro))  // some leave out the axes that clip
+            ranging.turnSeen(seconds(), placeBoard(suit_.boards[b], tree_, now_.state.motion, 0).R *
+                                            (*rate - now_.state.gyro_bias[b]));
     }
 }
 
-/// For the limbs on the way to the microphone, from the outermost to the first that is suspected: what a
-/// suspected one carries lies where nobody knows.
+/// Both ends of a distance tell of the limbs that wear them.
 void ManifoldFilter::noteForLimbs(const DistanceMeasurement& measurement) {
-    const int end = suit_.boards[static_cast<size_t>(measurement.board)].link;
-    if (end <= 0)
-        return;
-    const std::vector<int>& links = tree_.chain(end);
+    const double arrival_s = measurement.arrival_s - seconds(),
+                 emission_s = measurement.emission_s - seconds();
+    const MountedBoard& board = suit_.boards[static_cast<size_t>(measurement.board)];
+    const MountedSource& source = suit_.sources[static_cast<size_t>(measurement.source)];
+    const Vector3d p_source = observations_.sourceEnd(now_.state, measurement.source, emission_s).p_world_m;
+    ChainMotion chain;
+    const Vector3d p_mic = observations_.boardEnd(now_.state, measurement.board, arrival_s).p_world_m;
+    if (board.link > 0) {
+        chain.evaluate(tree_, now_.state.motion, board.link, arrival_s);
+        noteEnd(chain, board.link, p_mic, source.link, p_source, measurement);
+    }
+    if (source.link > 0) {
+        chain.evaluate(tree_, now_.state.motion, source.link, emission_s);
+        noteEnd(chain, source.link, p_source, board.link, p_mic, measurement);
+    }
+}
+
+/// For the outermost suspected limb on the way to an end, since what a suspected one carries lies where
+/// nobody knows. The other end has to be known.
+void ManifoldFilter::noteEnd(const ChainMotion& chain, int link, const Vector3d& p_end_m, int other_link,
+                             const Vector3d& p_other_m, const DistanceMeasurement& measurement) {
+    const auto isSuspected = [this](int i) { return now_.rangings[static_cast<size_t>(i)].isSuspected(); };
+    const std::vector<int>& links = tree_.chain(link);
     size_t k = links.size();
-    while (k > 0 && !now_.rangings[static_cast<size_t>(links[k - 1])].isSuspected())
+    while (k > 0 && !isSuspected(links[k - 1]))
         --k;
     if (k == 0)
         return;
     const size_t at = k - 1;
-    const MountedSource& source = suit_.sources[static_cast<size_t>(measurement.source)];
-    if (source.link >= 0 && std::ranges::count(tree_.chain(source.link), links[at]) > 0)
-        return;
-    ChainMotion chain;
-    chain.evaluate(tree_, now_.state.motion, end, measurement.arrival_s - seconds());
-    const Vector3d p_mic = chain
-                               .point(placeBoard(suit_.boards[static_cast<size_t>(measurement.board)], tree_,
-                                                 now_.state.motion, measurement.arrival_s - seconds())
-                                          .p_mic_m)
-                               .p_m;
+    if (other_link >= 0) {
+        const std::vector<int>& others = tree_.chain(other_link);
+        if (std::ranges::count(others, links[at]) > 0 || std::ranges::any_of(others, isSuspected))
+            return;
+    }
     const ChainMotion::Frame& limb = chain.frames()[at];
     const bool is_end = at + 1 == links.size();
-    const Vector3d p_turning = is_end ? p_mic : chain.frames()[at + 1].p_m;
+    const Vector3d p_turning = is_end ? p_end_m : chain.frames()[at + 1].p_m;
     const double sigma_m = measurement.sigma_m / measurement.confidence;
     now_.rangings[static_cast<size_t>(links[at])].add(
-        {measurement.arrival_s, measurement.distance_m, sigma_m * sigma_m,
-         observations_.sourceEnd(now_.state, measurement.source, measurement.emission_s - seconds())
-             .p_world_m,
-         p_mic - p_turning + limb.p_m, limb.R_world_link.transpose() * (p_turning - limb.p_m),
-         limb.R_world_link},
+        {measurement.arrival_s, measurement.distance_m, sigma_m * sigma_m, p_other_m,
+         p_end_m - p_turning + limb.p_m, limb.R_world_link.transpose() * (p_turning - limb.p_m)},
         now_.give.fleshShare());
 }
 
 /// By distances, from the trunk outwards; what a limb carries is looked at anew once it has been found.
 void ManifoldFilter::searchLimbs() {
+    ChainMotion chain;
     for (size_t link = 1; link < now_.rangings.size(); ++link) {
-        LimbRanging& ranging = now_.rangings[link];
-        if (!ranging.isSuspected())
+        if (!now_.rangings[link].isSuspected())
             continue;
+        chain.evaluate(tree_, now_.state.motion, static_cast<int>(link), 0);
         const auto found =
-            ranging.contradict(now_.give.held(tree_, static_cast<int>(link), now_.state.motion));
+            now_.rangings[link].contradict(seconds(), chain.end().R_world_link,
+                                           now_.give.held(tree_, static_cast<int>(link), now_.state.motion));
         if (!found)
             continue;
         turnLimb(static_cast<int>(link), {found->q_believed_limb, found->variance_rad2, found->q_limb_axes});
