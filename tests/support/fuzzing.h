@@ -113,7 +113,7 @@ void feedDamaged(const std::vector<std::string>& examples, int64_t few, int64_t 
         if (testing::Test::HasFailure())
             return;
     }
-#ifdef __SANITIZE_ADDRESS__
+#ifdef NOCTULE_SANITIZED
     most_growth_kb += 512 * 1024;  // what was freed is kept for a while
 #endif
     const int64_t growth_kb = residentPeak_kb() - before_kb;
