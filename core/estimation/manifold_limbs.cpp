@@ -100,6 +100,8 @@ void ManifoldFilter::watchLimbs(const std::vector<InertialMeasurement>& measurem
 
 /// Both ends of a distance tell of the limbs that wear them.
 void ManifoldFilter::noteForLimbs(const DistanceMeasurement& measurement) {
+    if (std::ranges::none_of(now_.rangings, &LimbRanging::isSuspected))
+        return;
     const double arrival_s = measurement.arrival_s - seconds(),
                  emission_s = measurement.emission_s - seconds();
     const MountedBoard& board = suit_.boards[static_cast<size_t>(measurement.board)];
