@@ -46,7 +46,7 @@ run_asan() {
 }
 run_tsan() {
     # Qt is not instrumented: what its event queue hands to another thread (TriggeredTake) looks like a race. Nor is
-    # GDAL, which OpenCV opens to write pictures (WornExport): its locks do.
+    # GDAL, which OpenCV opens to write pictures (WornExport): its locks look like a deadlock.
     cmake --preset tsan -D NOCTULE_STUDIO=OFF >/dev/null &&
         build_and_test build/tsan "(core_job|core_live|core_processing|devices_live)" --exclude-regex "TriggeredTake|WornExport"
 }

@@ -78,11 +78,13 @@ void LimbRanging::add(const Reading& reading, double flesh_share) {
         return;
     }
     const double flesh_m = flesh_share * parameters_.flesh_m;
-    readings_.push_back(
-        {reading, q_first_limb_ * expQuaternion((reading.time_s - *last_s_) * rate_rad_per_s_)});
-    readings_.back().reading.variance_m2 += parameters_.error_m * parameters_.error_m + flesh_m * flesh_m;
-    const auto is_old = [&](const Kept& other) {
-        return other.reading.time_s < reading.time_s - parameters_.memory_s;
+    const Quaterniond q_first_limb =
+        q_first_limb_ * expQuaternion((reading.time_s - *last_s_) * rate_rad_per_s_);
+    readings_.push_back(reading);
+    readings_.back().p_limb_m = q_first_limb * reading.p_limb_m;
+    readings_.back().variance_m2 += parameters_.error_m * parameters_.error_m + flesh_m * flesh_m;
+    const auto is_old = [&](const Reading& other) {
+        return other.time_s < reading.time_s - parameters_.memory_s;
     };
     readings_.erase(readings_.begin(), std::ranges::find_if_not(readings_, is_old));
 }
@@ -180,13 +182,13 @@ double LimbRanging::Problem::placesApart(const Quaterniond& one, const Quaternio
 std::optional<LimbRanging::Found> LimbRanging::contradict(double time_s, const Matrix3d& R_world_limb,
                                                           const std::vector<Held>& held) const {
     if (hasBeenSilent(time_s) || readings_.size() < kFewestReadings ||
-        readings_.back().reading.time_s - readings_.front().reading.time_s < 0.5 * parameters_.memory_s)
+        readings_.back().time_s - readings_.front().time_s < 0.5 * parameters_.memory_s)
         return std::nullopt;
     Problem problem{parameters_, held, R_world_limb, {}};
-    for (const Kept& kept : readings_)
-        problem.terms.push_back({kept.reading.distance_m, kept.reading.variance_m2,
-                                 kept.reading.p_carried_m - kept.reading.p_source_m,
-                                 q_first_limb_.conjugate() * (kept.q_first_limb * kept.reading.p_limb_m)});
+    for (const Reading& reading : readings_)
+        problem.terms.push_back({reading.distance_m, reading.variance_m2,
+                                 reading.p_carried_m - reading.p_source_m,
+                                 q_first_limb_.conjugate() * reading.p_limb_m});
     const Fit believed = problem.evaluate(Quaterniond::Identity());
     if (believed.mean_loss < parameters_.contradicted)
         return std::nullopt;
@@ -200,8 +202,8 @@ std::optional<LimbRanging::Found> LimbRanging::contradict(double time_s, const M
     }
     const double scale = std::max(best.mean_square, 1.0);
     const double significant = scale * parameters_.lost_sigma * parameters_.lost_sigma;
-    // Of those that distances cannot tell from it the least turned one: the turn about the line to a single
-    // microphone.
+    // Of attitudes that distances cannot tell apart the least turned one is kept: a single microphone does
+    // not show the turn about the line to it.
     const double least_cost = best.cost;
     for (const Fit& end : ends) {
         if (end.cost - least_cost > significant)

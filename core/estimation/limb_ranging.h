@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // How a lost limb lies, from distances and the joints' freedoms. A limb is lost while its gyroscope is at the
-// end of its range or silent, or when a reading was decoded wrongly. Afterwards the gyroscope follows its
-// turn again, so that one attitude is sought: that of now. Distances of a window decide it: a robust
-// least-squares fit (Gauss-Newton) from starting points all over SO(3). Sound may come late by way of the
-// floor but never early, so the loss function has two sides: Geman and McClure's for late arrivals, Cauchy's
-// for early ones (Barron 2019). A filter cannot do that, for it linearises about one attitude and gates out
-// what contradicts it. limb_alignment.h does the same by forces.
+// end of its range or silent. Afterwards the gyroscope follows its turn again, so that one attitude is
+// sought: that of now. Distances of a window decide it: a robust least-squares fit (Gauss-Newton) from
+// starting points all over SO(3). Sound may come late by way of the floor but never early, so the loss
+// function has two sides: Geman and McClure's for late arrivals, Cauchy's for early ones (Barron 2019). A
+// filter cannot do that, for it linearises about one attitude and gates out what contradicts it.
+// limb_alignment.h does the same by forces.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -66,18 +66,15 @@ public:
                                     const std::vector<Held>& held) const;
 
 private:
-    struct Kept {
-        Reading reading;
-        Quaterniond q_first_limb;  ///< the limb's attitude against that at the end of the last gap
-    };
     struct Problem;
     struct Fit;
 
     LimbRangingParameters parameters_;
     std::optional<double> last_s_, broken_s_;
-    Quaterniond q_first_limb_ = Quaterniond::Identity();  ///< at last_s_, from the gyroscope alone
+    Quaterniond q_first_limb_ =
+        Quaterniond::Identity();  ///< of the gyroscope: at last_s_ against its beginning
     Vector3d rate_rad_per_s_ = Vector3d::Zero();
-    std::vector<Kept> readings_;  ///< oldest first
+    std::vector<Reading> readings_;  ///< oldest first; p_limb_m in the limb's frame at that beginning
 };
 
 }  // namespace noctule

@@ -78,7 +78,7 @@ ManifoldRows limbRangingRows() {
         {"limb_ranging.explained_share", "-", 0, 1,
          at(&ManifoldSetup::filter, &ManifoldParameters::ranging, &LimbRangingParameters::explained_share),
          "Least share of ranges that the found attitude explains. Larger: fewer limbs are found.",
-         "most ranges of a limb that was found arrive directly"},
+         "a majority; set on one take that another program made"},
         {"limb_ranging.interval", "s", 0.01, 100,
          at(&ManifoldSetup::filter, &ManifoldParameters::search_interval_s),
          "Interval between searches for lost limbs by ranges.", "tuned on simulations"},

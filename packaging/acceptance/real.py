@@ -243,7 +243,7 @@ def silent_gyroscopes(_):
     limbs = (3, 6, 7, 10, 11, 12, 13, 14)
     for seed in SEEDS:
         chance, take = random.Random(seed), FOLDER / "silent.noctule"
-        studio.batch("simulate", "--motion", DATA / "bvh" / "cmu" / "Boxing_Toes.bvh", "--out", take, "--level", "readings",
+        studio.batch("simulate", "--motion", studio.MORE_MOTIONS / "Boxing_Toes.bvh", "--out", take, "--level", "readings",
                      "--duration", 15, "--seed", seed, "--overwrite")
         with contextlib.closing(sqlite3.connect(take)) as database:
             for board in chance.sample(limbs, 3):
