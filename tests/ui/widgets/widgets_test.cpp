@@ -299,8 +299,7 @@ TEST_F(WidgetsTest, scrollAreaKeepsNoHeightOfTextsThatAreHidden) {
     show(area);
     ASSERT_GT(area.verticalScrollBar()->maximum(), 0);
     text->hide();
-    QApplication::processEvents();
-    EXPECT_EQ(area.verticalScrollBar()->maximum(), 0);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return area.verticalScrollBar()->maximum() == 0; }));
     EXPECT_LE(content->height(), 200);
 }
 
