@@ -24,6 +24,14 @@ protected:
         return home() + '-' + name;
     }
     static bool isLocked(const QString& session) { return QFile::exists(session + "/session.lock"); }
+    /// Where a program stands that did not end; needs gdb.
+    static std::string stacksOf(const QProcess& program) {
+        QProcess debugger;
+        debugger.start(
+            "gdb", {"-p", QString::number(program.processId()), "-batch", "-ex", "thread apply all bt 30"});
+        return debugger.waitForFinished(-1) ? debugger.readAll().toStdString()
+                                            : " (no gdb: its stacks are not known)";
+    }
     bool connectTo(const TestBox& box) {
         studio_->suit().connectTo(QString::fromStdString(box.address()));
         return waitFor([&] { return studio_->suit().phase() == LiveSuit::Phase::kLooking; });
@@ -45,7 +53,7 @@ TEST_F(EndOfStudio, TheProgramEndsInGoodOrderWhenItIsAskedTo) {
         program.start(NOCTULE_PROGRAM, {session});
         ASSERT_TRUE(QTest::qWaitFor([&] { return isLocked(session); }, 60'000)) << "it opened no session";
         ASSERT_EQ(kill(static_cast<pid_t>(program.processId()), signal), 0);
-        ASSERT_TRUE(program.waitForFinished(30'000)) << signal;
+        ASSERT_TRUE(program.waitForFinished(30'000)) << signal << stacksOf(program);
         EXPECT_EQ(program.exitStatus(), QProcess::NormalExit) << signal;
         EXPECT_EQ(program.exitCode(), 0) << signal;
         EXPECT_FALSE(isLocked(session)) << signal;
