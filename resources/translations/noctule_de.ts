@@ -5543,6 +5543,22 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <source>Export to FBX, glTF, BVH, CSV and OpenSim, and as pictures and films; every file is read back and checked.</source>
         <translation>Export nach FBX, glTF, BVH, CSV und OpenSim sowie als Bilder und Filme; jede Datei wird zurückgelesen und geprüft.</translation>
     </message>
+    <message>
+        <source>Several people at once: each suit has its name and colour, one take holds them all, and distances between them and to anchors in the room join the estimate.</source>
+        <translation>Mehrere Personen zugleich: Jeder Anzug hat Namen und Farbe, eine Aufnahme enthält alle, und Abstände zwischen ihnen und zu Ankern im Raum gehen in die Schätzung ein.</translation>
+    </message>
+    <message>
+        <source>Recordings of other makers&apos; sensors become takes: Xsens, Movella DOT, x-IMU3, OpenSense, MATLAB, C3D, TRC and tables. Which sensor sits where is found from the movement.</source>
+        <translation>Aufzeichnungen von Sensoren anderer Hersteller werden zu Aufnahmen: Xsens, Movella DOT, x-IMU3, OpenSense, MATLAB, C3D, TRC und Tabellen. Welcher Sensor wo sitzt, wird aus der Bewegung gefunden.</translation>
+    </message>
+    <message>
+        <source>A robot&apos;s arms follow a suit live, or a take.</source>
+        <translation>Die Arme eines Roboters folgen einem Anzug live oder einer Aufnahme.</translation>
+    </message>
+    <message>
+        <source>Magnetometers have a wizard of their own, and a room is checked for bent fields.</source>
+        <translation>Magnetometer haben einen eigenen Assistenten, und ein Raum wird auf verbogene Felder geprüft.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::NoSuit</name>

@@ -24,6 +24,14 @@ NewsDialog::NewsDialog(QWidget* parent) : QDialog(parent) {
         column->addWidget((new Label(line, TextRole::kBody, Ink::kLabel))->wrapped());
     };
     column->addWidget(new SectionHeader(tr("In this version")));
+    add(tr(
+        "Several people at once: each suit has its name and colour, one take holds them all, and distances "
+        "between them and to anchors in the room join the estimate."));
+    add(
+        tr("Recordings of other makers' sensors become takes: Xsens, Movella DOT, x-IMU3, OpenSense, MATLAB, "
+           "C3D, TRC and tables. Which sensor sits where is found from the movement."));
+    add(tr("A robot's arms follow a suit live, or a take."));
+    add(tr("Magnetometers have a wizard of their own, and a room is checked for bent fields."));
     add(
         tr("Driver boxes are found on USB and in the network; Connect says whether the suit is ready and "
            "what to do about it."));

@@ -135,7 +135,7 @@ QWidget* RobotCenter::makePaths() {
         tr("From a command until the robot’s hand is there."), tr("Both together."),
         tr("How far the hand is from its command when the delay is left aside: on average, and at most.")};
     for (int i = 0; i < 4; ++i) {
-        figures_[i] = rows->addValue(names[i], QStringLiteral("–"));
+        figures_[i] = rows->addValue(names[i], kNoValue);
         figures_[i]->setToolTip(meanings[i]);
     }
     row->addWidget(rows);
@@ -240,20 +240,19 @@ void RobotCenter::showPaths() {
 
 void RobotCenter::showFigures(const RobotDrive::HandPaths& paths) {
     const LatencyHistogram latency = drive_.linkStatus().latency;
-    const QString none = QStringLiteral("–");
     const bool has_latency = latency.count() > 0;
     figures_[0]->setText(has_latency ? tr("%1, p99.9 %2", "median, quantile")
                                            .arg(millisecondsText(latency.quantile_s(0.5)),
                                                 millisecondsText(latency.quantile_s(0.999)))
-                                     : none);
+                                     : kNoValue);
     const auto& tracking = paths.tracking;
-    figures_[1]->setText(tracking ? millisecondsText(tracking->delay_s) : none);
+    figures_[1]->setText(tracking ? millisecondsText(tracking->delay_s) : kNoValue);
     figures_[2]->setText(
-        tracking && has_latency ? millisecondsText(tracking->delay_s + latency.quantile_s(0.5)) : none);
+        tracking && has_latency ? millisecondsText(tracking->delay_s + latency.quantile_s(0.5)) : kNoValue);
     figures_[3]->setText(
         tracking ? tr("%1, largest %2")
                        .arg(millimetresText(tracking->rest_rms_m), millimetresText(tracking->rest_max_m))
-                 : none);
+                 : kNoValue);
 }
 
 /// The words of the page Record; "Stop" alone is the robot's.

@@ -12,7 +12,6 @@ namespace {
 const QChar kMinus(0x2212);
 const QChar kThinSpace(0x2009);
 const QChar kNoBreakSpace(0x00A0);
-const QString kDash(QChar(0x2013));
 constexpr double kDegreesPerRadian = 57.29577951308232;
 
 /// Rounds first, so that −0.04 with one decimal is 0.0 and not −0.0.
@@ -30,13 +29,13 @@ QString fixed(double value, int decimals) {
 }
 
 QString withUnit(double value, int decimals, const QString& unit) {
-    return std::isfinite(value) ? fixed(value, decimals) + kNoBreakSpace + unit : kDash;
+    return std::isfinite(value) ? fixed(value, decimals) + kNoBreakSpace + unit : kNoValue;
 }
 
 }  // namespace
 
 QString numberText(double value, int decimals) {
-    return std::isfinite(value) ? fixed(value, decimals) : kDash;
+    return std::isfinite(value) ? fixed(value, decimals) : kNoValue;
 }
 
 QString unbroken(const QString& sentence) {
@@ -58,7 +57,7 @@ QString keysText(const QKeySequence& keys) {
 
 QString timeText(double seconds, int decimals) {
     if (!std::isfinite(seconds))
-        return kDash;
+        return kNoValue;
     const double unit = std::pow(10.0, decimals);
     const auto ticks = static_cast<qint64>(std::llround(std::abs(seconds) * unit));
     const auto per_second = static_cast<qint64>(unit);
@@ -86,7 +85,7 @@ QString millisecondsText(double seconds) {
 }
 
 QString degreesText(double radians, int decimals) {
-    return std::isfinite(radians) ? fixed(radians * kDegreesPerRadian, decimals) + QChar(0x00B0) : kDash;
+    return std::isfinite(radians) ? fixed(radians * kDegreesPerRadian, decimals) + QChar(0x00B0) : kNoValue;
 }
 
 QString millimetresText(double metres, int decimals) {
@@ -128,7 +127,7 @@ struct AgeText {
 QString dateWords(const QDateTime& when, const QDateTime& now, const QString& today_words,
                   const QString& yesterday) {
     if (!when.isValid())
-        return kDash;
+        return kNoValue;
     const QDate day = when.toLocalTime().date();
     const QDate today = now.toLocalTime().date();
     const QLocale locale;
@@ -158,7 +157,7 @@ QString dateInside(const QDateTime& when, const QDateTime& now) {
 
 QString ageText(const QDateTime& when, const QDateTime& now) {
     if (!when.isValid())
-        return kDash;
+        return kNoValue;
     const qint64 minutes = when.secsTo(now) / 60;
     constexpr qint64 kHour = 60, kDay = 24 * kHour;
     if (minutes < 2)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Numbers, dates and keys as the studio writes them: a real minus (U+2212), thin spaces between groups of
 // three (U+2009), a no-break space before a unit except degrees, the decimal sign of the locale in use. What
-// is not finite reads as a dash ("–").
+// is not finite reads as kNoValue.
 #pragma once
 
 #include <QDateTime>
@@ -10,6 +10,9 @@
 #include <QString>
 
 namespace noctule::ui {
+
+/// Stands where there is no value.
+inline const QString kNoValue(QChar(0x2013));
 
 /// 17.4 s -> "0:17.4"; 3725 s with 0 decimals -> "1:02:05".
 QString timeText(double seconds, int decimals = 1);

@@ -178,10 +178,10 @@ void FieldSensors::refresh() {
 }
 
 void FieldSensors::showSpot(const SpotField& spot) {
-    const QString unknown = QStringLiteral("–");
-    strength_->setText(spot.moments > 0 ? microteslaText(spot.strength_ut, spot.strength_sigma_ut) : unknown);
-    dip_->setText(spot.dip_deg ? tr("%1 down").arg(degreesText(radians(*spot.dip_deg), 0)) : unknown);
-    floor_->setText(spot.floor_percent ? strongerText(*spot.floor_percent) : unknown);
+    strength_->setText(spot.moments > 0 ? microteslaText(spot.strength_ut, spot.strength_sigma_ut)
+                                        : kNoValue);
+    dip_->setText(spot.dip_deg ? tr("%1 down").arg(degreesText(radians(*spot.dip_deg), 0)) : kNoValue);
+    floor_->setText(spot.floor_percent ? strongerText(*spot.floor_percent) : kNoValue);
     floor_->setInk(spot.isBentAtFloor() ? Ink::kWarn : Ink::kValue);
 }
 

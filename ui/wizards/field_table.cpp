@@ -107,8 +107,7 @@ void FieldTable::paintRow(QPainter& painter, int row, int board) const {
     painter.drawText(QRect(share_left, top, theme.px(kShare - 4), high), Qt::AlignRight | Qt::AlignVCenter,
                      percentText(share));
     painter.setPen(bad ? tokens.warn : tokens.t1);
-    const QString uneven =
-        turn.uneven_percent() ? percentText(*turn.uneven_percent() / 100, 1) : QStringLiteral("–");
+    const QString uneven = turn.uneven_percent() ? percentText(*turn.uneven_percent() / 100, 1) : kNoValue;
     painter.drawText(QRect(uneven_left, top, theme.px(kUneven), high), Qt::AlignRight | Qt::AlignVCenter,
                      uneven);
     if (bad || done)

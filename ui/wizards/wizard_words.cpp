@@ -245,7 +245,7 @@ std::vector<LiveMeasure> measuresOf(const WizardRun& run) {
     for (LiveMeasure& measure : measures) {
         measure.share = std::clamp(measure.share, 0.0, 1.0);
         if (now.boards.empty())  // nothing is seen: neither right nor wrong
-            measure = {measure.name, QStringLiteral("–"), 0, false};
+            measure = {measure.name, kNoValue, 0, false};
     }
     return measures;
 }

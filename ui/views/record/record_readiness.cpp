@@ -25,7 +25,6 @@ namespace noctule::ui {
 namespace {
 
 constexpr double kLowBattery_percent = 20;
-const QString kNotKnown = QChar(0x2013);
 
 Tone toneOfPart(qint64 part, qint64 whole) {
     return part == whole && whole > 0 ? Tone::kOk : part == 0 ? Tone::kError : Tone::kWarn;
@@ -151,7 +150,7 @@ void RecordReadiness::showHealth() {
     if (is_silent || readiness.verdict == Readiness::Verdict::kWaiting) {
         for (const Fact fact : {Fact::kBoards, Fact::kSources, Fact::kPairs})
             setFact(fact, {});
-        return setFact(Fact::kView, is_silent ? kNotKnown : QString());
+        return setFact(Fact::kView, is_silent ? kNoValue : QString());
     }
     const auto boards = std::ssize(readiness.boards), sources = std::ssize(readiness.source_good_pairs);
     const int there = readiness.boards_there, heard = readiness.sources_heard, good = readiness.good_pairs;
@@ -232,7 +231,7 @@ QString RecordReadiness::checkedWords() const {
 
 void RecordReadiness::showCalibration() {
     const LiveSuit& suit = studio_.suit();
-    checked_->setText(suit.calibration() ? checkedWords() : kNotKnown);
+    checked_->setText(suit.calibration() ? checkedWords() : kNoValue);
     const QString cannot = whyNotCheck(lackOf(suit.suit(), suit.calibration().value_or(Calibration{})));
     check_->setDisabledBecause(!suit.calibration() ? tr("There is no calibration to check.")
                                : !cannot.isEmpty() ? cannot
@@ -241,9 +240,9 @@ void RecordReadiness::showCalibration() {
                                    : QString());
     const auto& calibration = suit.calibration();
     if (!calibration) {
-        made_->setText(suit.status()->hello ? tr("none") : kNotKnown);
-        offsets_->setText(kNotKnown);
-        boards_->setText(kNotKnown);
+        made_->setText(suit.status()->hello ? tr("none") : kNoValue);
+        offsets_->setText(kNoValue);
+        boards_->setText(kNoValue);
         return;
     }
     const QDateTime when =

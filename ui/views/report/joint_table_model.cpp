@@ -37,9 +37,9 @@ QString JointTableModel::text(const VerdictJoint& joint, int column) const {
         case kJoint:
             return jointName(joint.joint);
         case kMean:
-            return joint.mean_deg ? degreesText(radians(*joint.mean_deg)) : QString(QChar(0x2013));
+            return joint.mean_deg ? degreesText(radians(*joint.mean_deg)) : kNoValue;
         case kWorst:
-            return joint.worst_deg ? degreesText(radians(*joint.worst_deg)) : QString(QChar(0x2013));
+            return joint.worst_deg ? degreesText(radians(*joint.worst_deg)) : kNoValue;
         default:
             return percentText(joint.backed_by_ranges);
     }

@@ -23,7 +23,6 @@ namespace {
 constexpr size_t kMostProblems = 3;
 /// Simulated takes of the nominal scenario have 2 to 5 mm, where the detector's noise is 3.
 constexpr double kGoodMedian_m = 0.01;
-const QString kNoFigure = QChar(0x2013);
 }  // namespace
 
 ReportPanel::ReportPanel(ReviewContext& review, QWidget* parent)
@@ -94,7 +93,7 @@ QWidget* ReportPanel::makeNumbers() {
         tr("range residual,\nmedian; good: under %1").arg(millimetresText(kGoodMedian_m, 0)),
         {}};
     for (int i = 0; i < 4; ++i) {
-        cards_[static_cast<size_t>(i)] = new ValueCard(kNoFigure, captions[i]);
+        cards_[static_cast<size_t>(i)] = new ValueCard(kNoValue, captions[i]);
         grid->addWidget(cards_[static_cast<size_t>(i)], i / 2, i % 2);
         grid->setColumnStretch(i % 2, 1);
     }
@@ -136,13 +135,13 @@ void ReportPanel::refresh() {
 void ReportPanel::showVerdict(const TakeVerdict& verdict) {
     verdict_->setVerdict(toneOf(verdict.grade), gradeInWords(verdict.grade), gradeExplained(verdict));
     showProblems(problemsInWords(verdict, *review_.take().overview()));
-    cards_[0]->setValue(verdict.mean_error_deg ? degreesText(radians(*verdict.mean_error_deg)) : kNoFigure);
+    cards_[0]->setValue(verdict.mean_error_deg ? degreesText(radians(*verdict.mean_error_deg)) : kNoValue);
     cards_[0]->setCaption(verdict.mean_error_deg ? tr("mean joint error\nagainst the reference")
                                                  : tr("mean joint error,\nno reference"));
     for (const size_t of_ranges : {1, 2})
         cards_[of_ranges]->setVisible(review_.take().hasSources());
     cards_[1]->setValue(percentText(verdict.backed_share));
-    cards_[2]->setValue(verdict.residual_median_m ? millimetresText(*verdict.residual_median_m) : kNoFigure);
+    cards_[2]->setValue(verdict.residual_median_m ? millimetresText(*verdict.residual_median_m) : kNoValue);
     cards_[2]->setToolTip(
         verdict.residual_rms_m
             ? tr("Half of the ranges used miss the pose by less. Root mean square, which a few "
@@ -189,10 +188,10 @@ void ReportPanel::showFeet() {
     if (feet)
         for (const FootContacts& foot : *feet)
             found += foot.contacts.size();
-    slide_->setText(found > 0 ? tr("%1 per step").arg(millimetresText(meanSlide_m(*feet), 0)) : kNoFigure);
+    slide_->setText(found > 0 ? tr("%1 per step").arg(millimetresText(meanSlide_m(*feet), 0)) : kNoValue);
     const int count = static_cast<int>(found);
     const bool by_hand = feet && review_.take().overview()->contacts_edited;
-    contacts_->setText(!feet     ? kNoFigure
+    contacts_->setText(!feet     ? kNoValue
                        : by_hand ? tr("%n, set by hand", nullptr, count)
                                  : tr("%n found", nullptr, count));
 }

@@ -11,11 +11,9 @@
 namespace noctule::ui {
 namespace {
 
-const QString kUnknown = QChar(0x2013);
-
 QString dayOf(const std::string& utc) {
     const QDateTime when = QDateTime::fromString(QString::fromStdString(utc), Qt::ISODate);
-    return when.isValid() ? dateText(when) : kUnknown;
+    return when.isValid() ? dateText(when) : kNoValue;
 }
 
 }  // namespace
@@ -39,10 +37,10 @@ void MadeWithPanel::refresh() {
     const auto overview = review_.take().overview();
     if (!overview) {
         for (Label* label : {performer_, recorded_, offsets_, inertial_, rest_, skeleton_, suit_, sound_})
-            label->setText(kUnknown);
+            label->setText(kNoValue);
         return;
     }
-    performer_->setText(overview->performer.empty() ? kUnknown : QString::fromStdString(overview->performer));
+    performer_->setText(overview->performer.empty() ? kNoValue : QString::fromStdString(overview->performer));
     recorded_->setText(dayOf(overview->header.created_utc));
     const auto& sources = overview->calibration.sources;
     const auto known = std::count_if(sources.begin(), sources.end(), [](const SourceCalibration& source) {

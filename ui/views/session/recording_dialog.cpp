@@ -269,16 +269,16 @@ void RecordingDialog::showFound() {
         missing += found.missing;
     }
     const ImportFormat* format = there ? findImportFormat(recording_->format) : nullptr;
-    format_->setText(format ? coreWords(format->summary) : QString());
+    format_->setText(format ? coreWords(format->summary) : kNoValue);
     sensors_->setText(there ? tr("%1, for %2", "number of sensors, time")
                                   .arg(countText(qint64(recording_->sensors.size())), timeText(longest_s))
-                            : QString());
-    gaps_->setText(!there ? QString()
+                            : kNoValue);
+    gaps_->setText(!there ? kNoValue
                    : missing == 0
                        ? tr("none")
                        : tr("%1 of %2 rows").arg(countText(qint64(missing)), countText(qint64(rows))));
     const bool reference = there && (recording_->reference || !recording_->q_world_sensor.empty());
-    reference_->setText(!there ? QString() : reference ? tr("comes with the recording") : tr("none"));
+    reference_->setText(!there ? kNoValue : reference ? tr("comes with the recording") : tr("none"));
     showNotes();
 }
 
