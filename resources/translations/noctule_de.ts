@@ -5099,19 +5099,6 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <translation>Beenden und schließen</translation>
     </message>
     <message>
-        <source>%1 has no poses yet</source>
-        <comment>name of a take</comment>
-        <translation>%1 hat noch keine Posen</translation>
-    </message>
-    <message>
-        <source>The live view skipped part of the sound; the take holds all of it. Process it.</source>
-        <translation>Die Live-Ansicht hat einen Teil des Tons übersprungen; die Aufnahme enthält ihn ganz. Die Aufnahme verarbeiten.</translation>
-    </message>
-    <message>
-        <source>Process</source>
-        <translation>Verarbeiten</translation>
-    </message>
-    <message>
         <source>Save diagnosis</source>
         <translation>Diagnose speichern</translation>
     </message>
@@ -10319,6 +10306,19 @@ Median; gut: unter %1</translation>
     <message>
         <source>Undo</source>
         <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>%1 has no poses yet</source>
+        <comment>name of a take</comment>
+        <translation>%1 hat noch keine Posen</translation>
+    </message>
+    <message>
+        <source>The live view skipped part of the sound; the take holds all of it. Process it.</source>
+        <translation>Die Live-Ansicht hat einen Teil des Tons übersprungen; die Aufnahme enthält ihn ganz. Die Aufnahme verarbeiten.</translation>
+    </message>
+    <message>
+        <source>Process</source>
+        <translation>Verarbeiten</translation>
     </message>
 </context>
 <context>

@@ -105,7 +105,6 @@ private:
     RecordRun& recordRun();
     void recordOrStop();
     void showRecording();
-    void tellPosesMissing(const QString& take);
     bool mayStopTake();
 
     Studio& studio_;

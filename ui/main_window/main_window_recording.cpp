@@ -27,19 +27,7 @@ void MainWindow::connectSuit() {
                 close();
         },
         Qt::QueuedConnection);
-    connect(&studio_.suits(), &LiveSuits::posesMissing, this, &MainWindow::tellPosesMissing);
     showRecording();
-}
-
-void MainWindow::tellPosesMissing(const QString& take) {
-    const auto process = [this, take] {
-        const Session& session = studio_.session().session();
-        if (const int index = session.findTake(take.toStdString()); index >= 0)
-            studio_.processAccurately(session.pathOf(session.takes[static_cast<size_t>(index)]).string());
-    };
-    notices_->add({Tone::kWarn, tr("%1 has no poses yet", "name of a take").arg(take),
-                   tr("The live view skipped part of the sound; the take holds all of it. Process it."),
-                   tr("Process"), process, "no poses"});
 }
 
 RecordRun& MainWindow::recordRun() {

@@ -12,6 +12,7 @@ constexpr const char* kMarkerTopic = "session marker";
 constexpr const char* kInterrupted = "interrupted take";
 constexpr const char* kDamaged = "damaged session";
 constexpr const char* kGone = "take that went";
+constexpr const char* kWithoutPoses = "take without poses";
 constexpr int kGoneShown_ms = 12000;
 
 }  // namespace
@@ -23,11 +24,35 @@ SessionNotices::SessionNotices(Studio& studio, Notices& notices, QObject* parent
     connect(&studio.session(), &SessionModel::takeTrashed, this, &SessionNotices::tellTrashed);
     connect(&studio.session(), &SessionModel::takeMoved, this,
             [this](const QString& outcome) { offerUndo(outcome, {}); });
+    connect(&studio.suits(), &LiveSuits::posesMissing, this, &SessionNotices::tellPosesMissing);
+    connect(&studio.session(), &SessionModel::changed, this, [this] {
+        if (takeWithoutPoses() < 0)
+            notices_.remove(kWithoutPoses);
+    });
     gone_timer_.setSingleShot(true);
     connect(&gone_timer_, &QTimer::timeout, this, [this] { notices_.remove(kGone); });
     // Any further step makes Undo mean something else.
     connect(&studio.session().undoStack(), &QUndoStack::indexChanged, this,
             [this] { notices_.remove(kGone); });
+}
+
+void SessionNotices::tellPosesMissing(const QString& take) {
+    lacks_poses_ = take;
+    const auto process = [this] {
+        if (const int index = takeWithoutPoses(); index >= 0)
+            studio_.processAccurately(studio_.session().takePath(index).toStdString());
+    };
+    notices_.add({Tone::kWarn, tr("%1 has no poses yet", "name of a take").arg(take),
+                  tr("The live view skipped part of the sound; the take holds all of it. Process it."),
+                  tr("Process"), process, kWithoutPoses});
+}
+
+int SessionNotices::takeWithoutPoses() const {
+    if (!studio_.session().isOpen())
+        return -1;
+    const Session& session = studio_.session().session();
+    const int index = session.findTake(lacks_poses_.toStdString());
+    return index >= 0 && !session.takes[static_cast<size_t>(index)].processed ? index : -1;
 }
 
 void SessionNotices::tellTrashed(const QString& name) {
@@ -44,6 +69,7 @@ void SessionNotices::forget() {
     notices_.remove(kGone);
     notices_.remove(kMarkerTopic);
     notices_.remove(kInterrupted);
+    notices_.remove(kWithoutPoses);
     in_use_ = false;
     told_.clear();
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is told above the page about the session: how it was left, who else has it open, recordings that broke
-// off, a damaged session.json; each with what is safe and the way on.
+// off or have no poses, a damaged session.json; each with what is safe and the way on.
 #pragma once
 
 #include <QObject>
@@ -27,13 +27,17 @@ private:
     void offerUndo(const QString& title, const QString& text);
     void tellDamaged(const QString& folder, const QString& problem);
     void tellInterrupted();
+    void tellPosesMissing(const QString& take);
+    /// Its index; negative once it has poses, or went.
+    int takeWithoutPoses() const;
     Notice interruptedNotice(const QStringList& names);
 
     Studio& studio_;
     Notices& notices_;
-    QTimer gone_timer_;    ///< of the last Undo that was offered
-    bool in_use_ = false;  ///< somewhere else: what is being recorded there is not interrupted
-    QStringList told_{};   ///< takes that the notice was about: a closed one stays closed
+    QTimer gone_timer_;      ///< of the last Undo that was offered
+    bool in_use_ = false;    ///< somewhere else: what is being recorded there is not interrupted
+    QStringList told_{};     ///< takes that the notice was about: a closed one stays closed
+    QString lacks_poses_{};  ///< name of the take that the notice is about
 };
 
 }  // namespace noctule::ui

@@ -227,6 +227,55 @@ TEST_F(NoticesTest, NothingOfOneSessionIsToldInAnother) {
     EXPECT_EQ(told(), QStringList());
 }
 
+class TakeWithoutPoses : public NoticesTest {
+protected:
+    void SetUp() override {
+        NoticesTest::SetUp();
+        ASSERT_TRUE(studio_->session().create(home() + "-first", "first"));
+        const QString path = folder_.filePath("swing.noctule");
+        ASSERT_TRUE(test::makeQuickTake(path.toStdString(), {}));
+        studio_->session().importTakes({path});
+        ASSERT_TRUE(waitFor([this] { return studio_->jobs().idle(); }));
+        tell("swing");
+    }
+    void tell(const QString& take) {
+        emit studio_->suits().posesMissing(take);
+        ASSERT_EQ(told(), QStringList{take + " has no poses yet"});
+    }
+};
+
+TEST_F(TakeWithoutPoses, IsToldUntilItIsProcessed) {
+    Button* process = nullptr;
+    for (auto* button : window_->notices().findChildren<Button*>())
+        if (button->text() == "Process")
+            process = button;
+    ASSERT_TRUE(process);
+    QTest::mouseClick(process, Qt::LeftButton);
+    ASSERT_FALSE(studio_->jobs().all().empty());
+    EXPECT_EQ(studio_->jobs().all().back()->title(), "Processing swing");
+    EXPECT_TRUE(waitFor([this] { return studio_->jobs().idle(); }));
+    EXPECT_TRUE(studio_->session().session().takes[0].processed);
+    EXPECT_EQ(told(), QStringList());
+}
+
+TEST_F(TakeWithoutPoses, IsNoLongerToldOnceItWent) {
+    studio_->session().renameTake(0, "kick");
+    EXPECT_EQ(told(), QStringList());
+    tell("kick");
+    studio_->session().trashTake(0);
+    EXPECT_EQ(told(), QStringList{"kick was moved to the trash"});
+}
+
+TEST_F(TakeWithoutPoses, IsNotToldInAnotherSessionNorWithoutOne) {
+    ASSERT_TRUE(studio_->session().create(home() + "-second", "second"));
+    EXPECT_EQ(told(), QStringList());
+    studio_->session().open(home() + "-first");
+    ASSERT_TRUE(waitFor([this] { return studio_->session().isOpen(); }));
+    tell("swing");
+    studio_->session().close();
+    EXPECT_EQ(told(), QStringList());
+}
+
 TEST_F(NoticesTest, AfterTryItTheKeyboardStaysOnThePage) {
     auto& page = dynamic_cast<StartPage&>(window_->page(Step::kStart));
     window_->activateWindow();
