@@ -21,9 +21,6 @@
 namespace noctule::ui {
 namespace {
 
-constexpr Step kAllSteps[] = {Step::kStart,  Step::kConnect, Step::kCalibrate, Step::kRecord,
-                              Step::kReview, Step::kExport,  Step::kPerformer, Step::kRobot};
-
 QString nameOf(QWidget& widget) {
     QAccessibleInterface* interface = QAccessible::queryAccessibleInterface(&widget);
     return interface ? interface->text(QAccessible::Name) : QString();
@@ -119,7 +116,7 @@ protected:
 };
 
 TEST_F(Everywhere, WhatTakesTheKeyboardHasAName) {
-    for (const Step step : kAllSteps)
+    for (const Step step : test::kEveryStep)
         expectNames(step);
 }
 
@@ -130,7 +127,7 @@ TEST_F(Everywhere, WhatTakesTheKeyboardHasANameWithATakeOpen) {
 }
 
 TEST_F(Everywhere, TabGoesAroundWithoutADeadEnd) {
-    for (const Step step : kAllSteps) {
+    for (const Step step : test::kEveryStep) {
         window_->goTo(step);
         QCoreApplication::processEvents();
         QWidget* const first = QApplication::focusWidget();
@@ -153,14 +150,14 @@ TEST_F(Everywhere, TabGoesAroundWithoutADeadEnd) {
 
 TEST_F(Everywhere, TextsHaveRoom) {
     window_->resize(1280, 800);
-    for (const Step step : kAllSteps)
+    for (const Step step : test::kEveryStep)
         expectRoom(step);
 }
 
 TEST_F(Everywhere, TextsHaveRoomAt150Percent) {
     window_->resize(1440, 900);
     Theme::get().setScale(1.5);
-    for (const Step step : kAllSteps)
+    for (const Step step : test::kEveryStep)
         expectRoom(step);
     Theme::get().setScale(1);
 }
@@ -168,7 +165,7 @@ TEST_F(Everywhere, TextsHaveRoomAt150Percent) {
 TEST_F(Everywhere, TextsHaveRoomWithTakes) {
     openSeveralTakes();
     window_->resize(1280, 800);
-    for (const Step step : kAllSteps)
+    for (const Step step : test::kEveryStep)
         expectRoom(step);
 }
 
@@ -178,7 +175,7 @@ TEST_F(Everywhere, NothingScrollsWhereThereIsRoom) {
         for (const Scheme scheme : {Scheme::kLight, Scheme::kDark}) {  // all is laid out again
             Theme::get().setScheme(scheme);
             window_->resize(size);
-            for (const Step step : kAllSteps)
+            for (const Step step : test::kEveryStep)
                 expectNoNeedlessScrolling(step);
         }
 }
@@ -217,7 +214,7 @@ TEST_F(Everywhere, TheKeyboardStaysInExportWhenFilesAreWritten) {
 }
 
 TEST_F(Everywhere, PagesFollowTheTheme) {
-    for (const Step step : kAllSteps) {
+    for (const Step step : test::kEveryStep) {
         window_->goTo(step);
         Theme::get().setScheme(Scheme::kDark);
         QTest::qWait(30);

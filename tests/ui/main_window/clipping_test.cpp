@@ -32,15 +32,12 @@
 namespace noctule::ui {
 namespace {
 
-constexpr Step kEveryStep[] = {Step::kStart,  Step::kConnect, Step::kCalibrate, Step::kRecord,
-                               Step::kReview, Step::kExport,  Step::kPerformer, Step::kRobot};
-
 class ClippingTest : public test::ClippingFixture {
 protected:
     void pagesAreWhole(const QString& look) {
         for (const QSize size : {QSize(1280, 800), QSize(1440, 900), QSize(1920, 1080)}) {
             window_->resize(size);
-            for (const Step step : kEveryStep) {
+            for (const Step step : test::kEveryStep) {
                 window_->goTo(step);
                 window_->sideDocks().reset();
                 QTest::qWait(60);

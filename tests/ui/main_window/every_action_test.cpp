@@ -5,12 +5,15 @@
 #include <QMenu>
 #include <set>
 
+#include "tests/devices/support/test_box.h"
 #include "tests/ui/main_window/studio_fixture.h"
 #include "ui/style/theme.h"
 #include "ui/views/page.h"
 
 namespace noctule::ui {
 namespace {
+
+using noctule::test::TestBox;
 
 class EveryActionTest : public test::StudioWindow {
 protected:
@@ -71,13 +74,28 @@ protected:
 
     void doAllOnEveryPage() {
         for (const Scheme scheme : {Scheme::kDark, Scheme::kLight, Scheme::kContrast})
-            for (const Step step : {Step::kStart, Step::kConnect, Step::kCalibrate, Step::kRecord,
-                                    Step::kReview, Step::kExport, Step::kPerformer, Step::kRobot}) {
+            for (const Step step : test::kEveryStep) {
                 Theme::get().setScheme(scheme);
                 SCOPED_TRACE(static_cast<int>(step));
                 doAll(step);
             }
         Theme::get().setScheme(Scheme::kDark);
+    }
+
+    /// Some actions let the suit go.
+    bool connectTo(const TestBox& box) {
+        LiveSuit& suit = studio_->suit();
+        if (suit.phase() == LiveSuit::Phase::kNone)
+            studio_->suits().add(QString::fromStdString(box.address()));
+        return waitFor([&] { return suit.phase() == LiveSuit::Phase::kLooking; });
+    }
+    /// And some end the take.
+    bool stopTake() {
+        return waitFor([this] {
+            if (studio_->suits().phase() == LiveSuit::Phase::kRecording)
+                studio_->suits().stopRecording();
+            return !studio_->suits().isTakeOpen();
+        });
     }
 
     QByteArray path_;
@@ -97,6 +115,30 @@ TEST_F(EveryActionTest, WithATake) {
     openSampleTake();
     doAllOnEveryPage();
     EXPECT_GE(done_, 7 * 2 * 15);
+}
+
+TEST_F(EveryActionTest, WithASuit) {
+    TestBox box({.loops = true});
+    ASSERT_TRUE(studio_->session().create(home() + "-suit", "suit"));
+    for (const Step step : test::kEveryStep) {
+        ASSERT_TRUE(connectTo(box));
+        doAll(step);
+        ASSERT_TRUE(stopTake());
+    }
+    EXPECT_GE(done_, 8 * 15);
+}
+
+TEST_F(EveryActionTest, WhileATakeIsRecorded) {
+    TestBox box({.loops = true});
+    ASSERT_TRUE(studio_->session().create(home() + "-suit", "suit"));
+    for (const Step step : test::kEveryStep) {
+        ASSERT_TRUE(connectTo(box));
+        ASSERT_EQ(studio_->suit().record({"walk", {}, 0, 0}), "");
+        ASSERT_TRUE(waitFor([this] { return studio_->suits().isTakeOpen(); }));
+        doAll(step);
+        ASSERT_TRUE(stopTake());
+    }
+    EXPECT_GE(done_, 8 * 15);
 }
 
 }  // namespace

@@ -114,8 +114,7 @@ TEST_F(Language, ASessionMadeByDateHasAPerformerInTheOperatorsLanguage) {
 TEST_F(Language, EveryPageSpeaksGerman) {
     studio_->jobs().clearEnded();  // what was said before stays as it was said
     choose("de");
-    for (const Step step : {Step::kStart, Step::kConnect, Step::kCalibrate, Step::kRecord, Step::kReview,
-                            Step::kExport, Step::kPerformer, Step::kRobot}) {
+    for (const Step step : test::kEveryStep) {
         windows_->window()->goTo(step);
         QCoreApplication::processEvents();
         const QStringList words = ScreenWords::of(*windows_->window());

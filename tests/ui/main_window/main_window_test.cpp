@@ -127,8 +127,7 @@ TEST_F(MainWindowTest, OpenGivesUpItsKeyInReview) {
 }
 
 TEST_F(MainWindowTest, NoKeyStandsForTwoCommandsAtOnce) {
-    for (const Step step : {Step::kStart, Step::kConnect, Step::kCalibrate, Step::kRecord, Step::kReview,
-                            Step::kExport, Step::kPerformer, Step::kRobot}) {
+    for (const Step step : test::kEveryStep) {
         window_->goTo(step);
         std::map<QString, QString> owners;
         QList<QAction*> actions = window_->actions().all();

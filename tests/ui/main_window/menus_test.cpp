@@ -4,6 +4,7 @@
 #include <QPushButton>
 #include <QToolButton>
 
+#include "tests/devices/support/test_box.h"
 #include "tests/ui/main_window/studio_fixture.h"
 #include "ui/main_window/top_bar.h"
 #include "ui/style/theme.h"
@@ -29,8 +30,7 @@ protected:
     }
 
     void openAllOnEveryPage() {
-        for (const Step step : {Step::kStart, Step::kConnect, Step::kCalibrate, Step::kRecord, Step::kReview,
-                                Step::kExport, Step::kPerformer, Step::kRobot}) {
+        for (const Step step : test::kEveryStep) {
             window_->goTo(step);
             opened_ = 0;
             for (QAction* title : window_->topBar().menuBar().actions())
@@ -70,6 +70,18 @@ TEST_F(MenusTest, EveryMenuOpensOnEveryPageWithoutASession) {
 TEST_F(MenusTest, EveryMenuOpensOnEveryPageWithATake) {
     openSampleTake();
     inEveryLook();
+}
+
+TEST_F(MenusTest, EveryMenuOpensOnEveryPageWithASuitAndWhileItIsRecorded) {
+    noctule::test::TestBox box({.loops = true});
+    ASSERT_TRUE(studio_->session().create(home() + "-suit", "suit"));
+    studio_->suits().add(QString::fromStdString(box.address()));
+    ASSERT_TRUE(waitFor([&] { return studio_->suit().phase() == LiveSuit::Phase::kLooking; }));
+    openAllOnEveryPage();
+    ASSERT_EQ(studio_->suit().record({"walk", {}, 0, 0}), "");
+    ASSERT_TRUE(waitFor([&] { return studio_->suits().isTakeOpen(); }));
+    openAllOnEveryPage();
+    EXPECT_TRUE(studio_->suits().isTakeOpen());
 }
 
 }  // namespace

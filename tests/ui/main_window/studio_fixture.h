@@ -18,6 +18,10 @@
 
 namespace noctule::ui::test {
 
+/// Every page.
+inline constexpr auto kEveryStep = {Step::kStart,  Step::kConnect, Step::kCalibrate, Step::kRecord,
+                                    Step::kReview, Step::kExport,  Step::kPerformer, Step::kRobot};
+
 Status makeQuickTake(const std::string& path, const JobContext& job);
 
 class StudioWindow : public testing::Test {

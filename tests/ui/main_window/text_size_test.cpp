@@ -53,8 +53,7 @@ TEST_P(TextSizeTest, AnOpenPageIsWholeAtEverySize) {
     openSampleTake();
     ASSERT_TRUE(waitFor([this] { return studio_->jobs().idle(); }));
     window_->resize(1440, 900);
-    for (const Step step : {Step::kStart, Step::kConnect, Step::kCalibrate, Step::kRecord, Step::kReview,
-                            Step::kExport, Step::kPerformer, Step::kRobot}) {
+    for (const Step step : test::kEveryStep) {
         window_->goTo(step);
         QTest::qWait(60);
         for (const double scale : {1.5, 0.75, 1.0}) {
