@@ -13,6 +13,7 @@
 #include "tests/ui/main_window/studio_fixture.h"
 #include "ui/style/resources.h"
 #include "ui/style/theme.h"
+#include "ui/views/export/export_page.h"
 #include "ui/views/session/motion_dialog.h"
 #include "ui/widgets/button.h"
 
@@ -80,6 +81,18 @@ TEST_F(ImportMotion, ADroppedMotionBecomesATakeUnderReview) {
     ASSERT_EQ(takes.size(), 1u);
     EXPECT_TRUE(takes[0].processed);
     EXPECT_EQ(studio_->settings().value("motions/scenario").toString(), "ideal");
+
+    ASSERT_TRUE(waitFor([this] { return studio_->jobs().idle() && studio_->take().verdict(); }));
+    ASSERT_TRUE(studio_->take().verdict()->mean_error_deg) << "its poses are compared with the motion";
+    EXPECT_LT(*studio_->take().verdict()->mean_error_deg, 3);
+    window_->goTo(Step::kExport);
+    auto& page = dynamic_cast<ExportPage&>(window_->page(Step::kExport));
+    page.choosePreset("bvh");
+    page.write();
+    ASSERT_TRUE(waitFor([&] { return page.results().has_value(); }));
+    ASSERT_EQ(page.results()->outcomes.size(), 1U);
+    EXPECT_TRUE(page.results()->outcomes[0].check.ok());
+    EXPECT_TRUE(QFile::exists(QString::fromStdString(page.results()->outcomes[0].path)));
 }
 
 TEST_F(ImportMotion, OneClickCorrectsAndIsKeptForTheSameJoints) {
