@@ -352,6 +352,7 @@ Result<ReportData> evaluateTake(const EvaluateRequest& request, const JobContext
             return JobContext::cancelledError();
         job.progress(0.5 * static_cast<double>(i) / static_cast<double>(runs.size()), "Comparing runs");
         ReportRun run = describeRun(take, runs[i], runSettings(runs[i], *all_runs, take.level()));
+        run.number = resultNumber(take, *all_runs, runs[i]);
         run.is_shown = runs[i].run == shown->run;
         if (Status compared = compareRun(take, runs[i].run, *reference, run, data); !compared)
             return compared.error();

@@ -47,6 +47,8 @@ struct ExportRequest {
     FilmSettings film;    ///< of picture and film; a picture shows from_s, without it the middle
     bool angles = false;  ///< named degrees of freedom in the CSV file too
     bool overwrite = false;
+
+    bool operator==(const ExportRequest&) const = default;
 };
 
 struct ExportSummary {

@@ -2,6 +2,7 @@
 #include "core/processing/pose_runs.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cstdio>
 
 #include "core/live/estimators.h"
@@ -100,6 +101,21 @@ std::vector<DerivedRun> poseRuns(const std::vector<DerivedRun>& runs) {
     std::copy_if(runs.begin(), runs.end(), std::back_inserter(poses),
                  [](const DerivedRun& run) { return run.kind == "pose"; });
     return poses;
+}
+
+int resultNumber(const Take& take, const std::vector<DerivedRun>& runs, const DerivedRun& pose_run) {
+    const std::string prefix = kDroppedResultKey;
+    const auto is_earlier = [&](const DerivedRun& run) {
+        return run.kind == "pose" && run.run < pose_run.run;
+    };
+    const auto was_earlier = [&](const auto& entry) {
+        int64_t run = 0;
+        const char* const end = entry.first.data() + entry.first.size();
+        return entry.first.starts_with(prefix) &&
+               std::from_chars(entry.first.data() + prefix.size(), end, run).ptr == end && run < pose_run.run;
+    };
+    return 1 + static_cast<int>(std::ranges::count_if(runs, is_earlier) +
+                                std::ranges::count_if(take.meta(), was_earlier));
 }
 
 Result<DerivedRun> choosePoseRun(const Take& take, const std::string& name) {

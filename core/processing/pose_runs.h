@@ -41,6 +41,10 @@ std::string driftWarning(const std::string& estimator, const std::string& sensor
 /// In the order in which they were made.
 std::vector<DerivedRun> poseRuns(const std::vector<DerivedRun>& runs);
 
+/// The number by which a result is called, 1 for the first that the take ever had: it stays with the result
+/// when an earlier one is dropped. `runs` are all of the take.
+int resultNumber(const Take& take, const std::vector<DerivedRun>& runs, const DerivedRun& pose_run);
+
 /// The pose run of that name, the last of several; empty: the last one. kUnusable names what there is.
 Result<DerivedRun> choosePoseRun(const Take& take, const std::string& name);
 /// The pose run of that number; kUnusable when there is none.

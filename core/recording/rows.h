@@ -162,6 +162,10 @@ inline std::string contactsKey(int suit) {
 inline constexpr const char* kContactsEdited = "edited";
 inline constexpr const char* kContactsDetected = "detected";
 
+/// Meta, followed by the number of a pose run that was dropped: no later run is given that number, and those
+/// that stay keep their place among all that were ever made.
+inline constexpr const char* kDroppedResultKey = "x_dropped_result_";
+
 /// Meta of a take that is made to be played again and again: from where on its second round begins, in
 /// seconds. The performer is then as at its end, and the boards' streams go on there without a break.
 inline constexpr const char* kLoopsFromKey = "x_loops_from_s";

@@ -45,9 +45,37 @@ Result<int64_t> TakeEdit::highestRun(const std::string& table) {
     return highest->value_or(0);
 }
 
+/// 0: none was.
+Result<int64_t> TakeEdit::highestDropped() {
+    if (!schema().has("meta"))
+        return int64_t{0};
+    const std::string prefix = kDroppedResultKey;
+    const std::string number = "CAST(substr(key," + std::to_string(prefix.size() + 1) + ") AS INTEGER)";
+    const auto highest =
+        database().queryInteger("SELECT max(" + number + ") FROM meta WHERE key GLOB '" + prefix +
+                                "[0-9]*' AND " + number + "<=" + std::to_string(kHighestRun));
+    if (!highest)
+        return highest.error();
+    return highest->value_or(0);
+}
+
+/// Of results only: nobody counts the others.
+Status TakeEdit::noteDropped(int64_t run) {
+    if (!schema().has("derived"))
+        return Done{};
+    const auto results = database().queryInteger("SELECT count(*) FROM derived WHERE kind='pose' AND run=" +
+                                                 std::to_string(run));
+    if (!results)
+        return results.error();
+    return results->value_or(0) > 0 ? setMeta(kDroppedResultKey + std::to_string(run), "") : Done{};
+}
+
 Result<int64_t> TakeEdit::beginRun(const DerivedRun& run) {
+    const auto dropped = highestDropped();
+    if (!dropped)
+        return dropped.error();
     // Rows without their row in `derived` (somebody deleted it) must not become part of the new run.
-    int64_t number = 0;
+    int64_t number = *dropped;
     for (const char* table : kTablesWithRuns) {
         const auto highest = highestRun(table);
         if (!highest)
@@ -78,6 +106,8 @@ Status TakeEdit::dropRun(int64_t run) {
         return Error{ErrorKind::kUsage,
                      database().name() + ": run 0 is the recording itself and is never dropped",
                      "Name a derived run"};
+    if (const Status noted = noteDropped(run); !noted)
+        return noted;
     for (const char* table : kTablesWithRuns)
         if (const Status removed = removeRows(table, " WHERE run=" + std::to_string(run)); !removed)
             return removed;

@@ -35,6 +35,8 @@ private:
     TakeEdit(Take& take, Transaction transaction);
     Status removeRows(const std::string& table, const std::string& where);
     Result<int64_t> highestRun(const std::string& table);
+    Result<int64_t> highestDropped();
+    Status noteDropped(int64_t run);
 
     Take* take_;
     Transaction transaction_;

@@ -37,6 +37,7 @@ struct ReportTake {
 
 /// One processing of the take.
 struct ReportRun {
+    int number = 0;  ///< resultNumber(); 0: not known
     std::string name;
     std::string sensors;    ///< subset of "AGD", in this order
     std::string estimator;  ///< "manifold", "paper"

@@ -25,8 +25,13 @@ std::vector<const ReportRun*> inPaperOrder(const std::vector<ReportRun>& runs) {
     return ordered;
 }
 
+/// "2: AGD smoothed", escaped.
+std::string numberedName(const ReportRun& run) {
+    return (run.number > 0 ? std::to_string(run.number) + ": " : std::string()) + text::escaped(run.name);
+}
+
 html::Row ownRow(const ReportRun& run, bool shown) {
-    html::Row row{{text::escaped(sensorsLabel(run.sensors)), text::escaped(run.name),
+    html::Row row{{text::escaped(sensorsLabel(run.sensors)), numberedName(run),
                    text::escaped(estimatorInWords(run.estimator) + (run.root_given ? ", root given" : ""))},
                   shown ? "shown" : ""};
     for (const char* name : kPaperJoints) {
@@ -120,7 +125,7 @@ std::string distancesTable(const ReportData& data) {
     html::Table table{"How far other runs are from the shown run, in degrees", {{"Joint", false}}, {}};
     for (const ReportRun* run : others)
         for (const char* what : {"Mean", "95\u00A0%"})
-            table.columns.push_back({what, true, text::escaped(run->name) + "\u00A0°"});
+            table.columns.push_back({what, true, numberedName(*run) + "\u00A0°"});
     for (const JointComparison& joint : others[0]->from_shown->joints) {
         html::Row row{{text::escaped(text::jointLabel(joint.name))}, ""};
         for (const ReportRun* run : others) {

@@ -150,7 +150,7 @@ private:
     void readRuns() {
         const auto all = problems_.keep(take_.derivedRuns()).value_or(std::vector<DerivedRun>{});
         for (const DerivedRun& run : poseRuns(all))
-            view_.runs.push_back({run, runSettings(run, all, view_.level)});
+            view_.runs.push_back({run, runSettings(run, all, view_.level), resultNumber(take_, all, run)});
     }
 
     void readAttachments() {

@@ -47,6 +47,7 @@ struct TakeParty {
 struct ReviewRun {
     DerivedRun run;
     RunSettings settings;
+    int number{};  ///< resultNumber()
 };
 
 struct ReviewMarker {

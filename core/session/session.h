@@ -51,6 +51,7 @@ struct SessionTake {
     int rating = 0;  ///< 0..5
     std::string notes;
     double in_s = 0, out_s = 0;  ///< chosen range; out 0: the end
+    std::string shown_result;    ///< name of the result that Review shows; empty: the last one
     UnknownMembers unknown = UnknownMembers::object();
     // Read from the take's file, not stored in session.json:
     TakeState state = TakeState::kComplete;  ///< kRecording: it was not finished; see recoverTake()

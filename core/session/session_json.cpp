@@ -23,6 +23,8 @@ nlohmann::json toJson(const SessionTake& take) {
     json["notes"] = take.notes;
     json["in_s"] = take.in_s;
     json["out_s"] = take.out_s;
+    if (!take.shown_result.empty())
+        json["shown_result"] = take.shown_result;
     return json;
 }
 
@@ -70,7 +72,9 @@ Result<SessionTake> takeFromJson(const nlohmann::json& json, const std::string& 
     take.notes = object.textOr("notes", "");
     take.in_s = object.numberOr("in_s", 0);
     take.out_s = object.numberOr("out_s", 0);
-    take.unknown = unknownMembers(json, {"file", "performer", "rating", "notes", "in_s", "out_s"});
+    take.shown_result = object.textOr("shown_result", "");
+    take.unknown =
+        unknownMembers(json, {"file", "performer", "rating", "notes", "in_s", "out_s", "shown_result"});
     if (error)
         return *error;
     return take;

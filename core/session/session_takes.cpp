@@ -34,8 +34,13 @@ void readFrom(const Take& file, SessionTake& take) {
     if (const auto duration_s = file.duration_s(); duration_s.ok())
         take.duration_s = *duration_s;
     const auto runs = file.derivedRuns();
-    take.processed = runs.ok() && std::any_of(runs->begin(), runs->end(),
-                                              [](const DerivedRun& run) { return run.kind == "pose"; });
+    const auto is_result = [](const DerivedRun& run) { return run.kind == "pose"; };
+    take.processed = runs.ok() && std::ranges::any_of(*runs, is_result);
+    const auto is_shown = [&](const DerivedRun& run) {
+        return is_result(run) && run.name == take.shown_result;
+    };
+    if (runs && std::ranges::none_of(*runs, is_shown))
+        take.shown_result.clear();  // it was deleted
     const std::string state = text("state");
     if (state == "recording") {
         take.state = TakeState::kRecording;

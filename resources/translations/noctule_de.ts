@@ -6179,6 +6179,10 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <translation>Jede Aufnahme wird so genau wie möglich verarbeitet, mit allen Sensoren und der Kalibrierung, mit der sie aufgenommen wurde.</translation>
     </message>
     <message>
+        <source>Each take is processed as accurately as possible, with all sensors and the calibration that it was recorded with; one recorded without gets “%1”.</source>
+        <translation>Jede Aufnahme wird so genau wie möglich verarbeitet, mit allen Sensoren und der Kalibrierung, mit der sie aufgenommen wurde; eine ohne bekommt „%1“.</translation>
+    </message>
+    <message>
         <source>Each take is processed as accurately as possible, with all sensors and the calibration “%1”; takes of several performers keep their own.</source>
         <translation>Jede Aufnahme wird so genau wie möglich verarbeitet, mit allen Sensoren und der Kalibrierung „%1“; Aufnahmen mehrerer Darsteller behalten ihre eigene.</translation>
     </message>

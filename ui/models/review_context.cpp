@@ -43,6 +43,7 @@ ReviewContext::ReviewContext(SharedContext& shared)
     QObject::connect(&changes_, &TakeChanges::ordered, &here_,
                      [&shared] { emit shared.settled(About::kTake); });
     QObject::connect(&take_, &TakeDocument::opened, &here_, [this] { followTake(); });
+    QObject::connect(&take_, &TakeDocument::runsChanged, &here_, [this] { keepShownResult(); });
     QObject::connect(&take_, &TakeDocument::torn, &shared, &SharedContext::tornTake);
 }
 
@@ -138,6 +139,18 @@ void ReviewContext::followTake() {
     emit shared_.settled(About::kProcess);
 }
 
+/// For exports while another take is open, and for the next time. The last one is not named, so that a newer
+/// one is shown once there is one.
+void ReviewContext::keepShownResult() {
+    if (!take_.isOpen() || take_.shownRun() < 0)
+        return;
+    const auto& runs = take_.overview()->runs;
+    const auto shown = static_cast<size_t>(take_.shownRun());
+    shared_.session().keepShownResult(
+        shared_.session().indexOf(take_.path()),
+        shown + 1 == runs.size() ? QString() : QString::fromStdString(runs[shown].run.name));
+}
+
 /// The take chosen in the session is the one under review; a damaged one is listed only.
 void ReviewContext::openChosenTake(int index) {
     if (index >= 0)
@@ -151,7 +164,7 @@ void ReviewContext::openChosenTake(int index) {
     }
     const QString path = QString::fromStdString(session.session().pathOf(*chosen).string());
     if (take_.path() != path)
-        take_.open(path);
+        take_.open(path, chosen->shown_result);
 }
 
 }  // namespace noctule::ui

@@ -36,6 +36,7 @@ private:
     void showLoose(const QString& path);
     void openChosenTake(int index);
     void followTake();
+    void keepShownResult();
     void tellTorn(int index);
 
     SharedContext& shared_;

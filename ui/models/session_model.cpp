@@ -207,6 +207,29 @@ void SessionModel::setCurrentTake(int index) {
     emit currentTakeChanged(current_);
 }
 
+int SessionModel::indexOf(const QString& take_path) const {
+    if (!session_ || take_path.isEmpty())
+        return -1;
+    const QString wanted = QFileInfo(take_path).canonicalFilePath();
+    for (int i = 0; i < static_cast<int>(session_->takes.size()); ++i) {
+        const QFileInfo take(takePath(i));
+        if (take.fileName() == QFileInfo(wanted).fileName() && take.canonicalFilePath() == wanted)
+            return i;
+    }
+    return -1;
+}
+
+void SessionModel::keepShownResult(int take, const QString& result) {
+    if (!session_ || take < 0 || take >= static_cast<int>(session_->takes.size()))
+        return;
+    std::string& shown = session_->takes[static_cast<size_t>(take)].shown_result;
+    if (shown == result.toStdString())
+        return;
+    shown = result.toStdString();
+    if (!is_read_only_)
+        saver_.schedule(*session_);
+}
+
 void SessionModel::followCurrentTake() {
     if (current_ < 0)
         return;

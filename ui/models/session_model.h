@@ -44,6 +44,11 @@ public:
     QString takePath(int take) const;
     int currentTake() const { return current_; }  ///< index into session().takes, -1: none
     void setCurrentTake(int index);
+    /// Of the take with that file; -1: none of the session.
+    int indexOf(const QString& take_path) const;
+    /// The result that Review shows of a take; empty: its last. Kept with the session, but no step to be
+    /// undone, and nobody is told.
+    void keepShownResult(int take, const QString& result);
 
     /// What the first performer of a session is called until somebody names it.
     static QString firstPerformer();

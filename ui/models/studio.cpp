@@ -6,6 +6,7 @@
 #include <chrono>
 
 #include "core/recording/take.h"
+#include "core/suit/calibration_lack.h"
 #include "ui/language/core_words.h"
 #include "ui/models/virtual_session.h"
 
@@ -117,6 +118,17 @@ Job* Studio::importMotion(std::shared_ptr<const figure::UnderstoodMotion> motion
         });
 }
 
+namespace {
+
+/// It holds more than nominal values.
+bool isCalibrated(const Take& take) {
+    const auto suit = take.suit();
+    const auto calibration = take.calibrationInForce();
+    return suit && calibration && !lackOf(*suit, calibration->value).isTotal();
+}
+
+}  // namespace
+
 ProcessRequest Studio::accurateRequest(const std::string& take_path, const PartsOfOne& own,
                                        const JobContext& job) {
     ProcessRequest request;
@@ -124,7 +136,8 @@ ProcessRequest Studio::accurateRequest(const std::string& take_path, const Parts
     const auto take = Take::open(take_path, Access::kRead, {job.cancel});
     const People people = take ? peopleOf(*take) : People();
     if (people.all <= 1) {
-        request.calibration = own.calibration;
+        if (!own.fills_in || !take || !isCalibrated(*take))
+            request.calibration = own.calibration;
         request.actor = own.actor;
     }
     if (people.heard > 1)
@@ -177,6 +190,8 @@ Job* Studio::startProcessing(const std::string& take_path,
             session().refresh(path);
             if (this->take().path() == path)
                 this->take().reload(true);
+            else
+                session().keepShownResult(session().indexOf(path), {});  // as the new one of an open take
             QString result = tr("%1 of %2 is ready: %n pose(s)", "name of the result, of the take",
                                 static_cast<int>(summary->poses))
                                  .arg(words(summary->run_name), take);

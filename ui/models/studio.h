@@ -18,6 +18,7 @@ namespace noctule::ui {
 struct PartsOfOne {
     std::optional<Calibration> calibration{};
     std::optional<Actor> actor{};
+    bool fills_in = false;  ///< the calibration is for takes only that hold none of their own
 };
 
 class Studio : public SharedContext, public CaptureContext, public ReviewContext {

@@ -22,6 +22,15 @@ int indexOf(const TakeOverview& overview, const DerivedRun& run) {
     return found == overview.runs.end() ? -1 : static_cast<int>(found - overview.runs.begin());
 }
 
+/// The newest of that name, else the newest of all.
+int indexOf(const TakeOverview& overview, const std::string& name) {
+    const auto newest = static_cast<int>(overview.runs.size()) - 1;
+    for (int run = newest; run >= 0; --run)
+        if (overview.runs[static_cast<size_t>(run)].run.name == name)
+            return run;
+    return newest;
+}
+
 }  // namespace
 
 TakeDocument::TakeDocument(Jobs& jobs, TimeCursor& time, QObject* parent)
@@ -37,9 +46,10 @@ void TakeDocument::forEachKind(Visit visit) {
     visit(range_curves_), visit(reading_curves_), visit(motion_curves_), visit(others_), visit(between_);
 }
 
-void TakeDocument::open(const QString& path) {
+void TakeDocument::open(const QString& path, const std::string& result) {
     close();
     path_ = path;
+    first_shown_ = result;
     loadOverview(view(), true);
 }
 
@@ -147,7 +157,7 @@ void TakeDocument::accept(TakeOverview overview, bool show_newest) {
         return index >= 0 ? indexOf(*overview_, earlier->runs[static_cast<size_t>(index)].run) : index;
     };
     if (!earlier) {
-        shown_ = newest, compared_ = -1;
+        shown_ = indexOf(*overview_, first_shown_), compared_ = -1;
         time_.setExtent(overview_->duration_s, time_.frameStep());
     } else {
         shown_ = same(shown_), compared_ = same(compared_);
@@ -284,6 +294,11 @@ void TakeDocument::forgetOutdated(const TakeOverview& earlier) {
     forEachKind([](auto& parts) {
         std::erase_if(parts, [](const auto& entry) { return entry.second.ended && !entry.second.value; });
     });
+}
+
+QString TakeDocument::numberOf(int index) const {
+    const bool exists = isOpen() && index >= 0 && index < static_cast<int>(overview_->runs.size());
+    return exists ? QString::number(overview_->runs[static_cast<size_t>(index)].number) : QString();
 }
 
 std::optional<int64_t> TakeDocument::runNumber(int index) const {

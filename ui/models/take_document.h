@@ -56,8 +56,9 @@ public:
     static constexpr int kReference = -2;
     int shownRun() const { return shown_; }  ///< index into overview()->runs, -1: none
     int comparedRun() const { return compared_; }
-    /// "2": results are numbered in the order they were made and keep their number for good.
-    static QString numberOf(int index) { return QString::number(index + 1); }
+    /// "2": results are numbered in the order they were made and keep their number for good, also when an
+    /// earlier one is deleted. Empty: there is none.
+    QString numberOf(int index) const;
     void setShownRun(int index);
     void setComparedRun(int index);
 
@@ -101,7 +102,8 @@ public:
     Job* processing() const;
 
 public slots:
-    void open(const QString& path);
+    /// `result`: name of the one that is shown first; empty, or none is called so: the newest.
+    void open(const QString& path, const std::string& result = {});
     void close();
     /// The file has another name now.
     void followMove(const QString& path);
@@ -213,6 +215,7 @@ private:
     Jobs& jobs_;
     TimeCursor& time_;
     QString path_, problem_;
+    std::string first_shown_;                      ///< as open() was asked
     std::map<QString, QPointer<Job>> processing_;  ///< by path
     uint64_t ticket_ = 0, overview_ticket_ = 0;
     QPointer<Job> overview_job_;

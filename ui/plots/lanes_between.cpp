@@ -47,7 +47,7 @@ LaneContent laneOf(TakeDocument& take, int one, int other, const Tracks& tracks,
     lane.unit = {1, QStringLiteral("\u00A0m"), 3, false};
     lane.least_span = 0.02;
     const QString result =
-        laneWords(QT_TRANSLATE_NOOP("Lanes", "result %1")).arg(TakeDocument::numberOf(take.shownRun()));
+        laneWords(QT_TRANSLATE_NOOP("Lanes", "result %1")).arg(take.numberOf(take.shownRun()));
     LaneCurve shown;
     shown.value = curveOf(tracks, track, &MotionCurve::value);
     shown.low = curveOf(tracks, track, &MotionCurve::low);

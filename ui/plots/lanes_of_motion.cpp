@@ -27,14 +27,14 @@ struct Wearer {
 
 /// The shown result first; the compared one and the reference where there are some.
 std::vector<Wearer> wearersOf(const TakeDocument& take) {
-    const auto result = [](int run) {
-        return laneWords(QT_TRANSLATE_NOOP("Lanes", "result %1")).arg(TakeDocument::numberOf(run));
+    const auto result = [&](int run) {
+        return laneWords(QT_TRANSLATE_NOOP("Lanes", "result %1")).arg(take.numberOf(run));
     };
     std::vector<Wearer> wearers{
         {Whose::kShown, result(take.shownRun()), QStringLiteral("%1"), LanePen::kFirst}};
     if (take.comparedRun() >= 0)
         wearers.push_back({Whose::kCompared, result(take.comparedRun()),
-                           QStringLiteral("%1: %2").arg(TakeDocument::numberOf(take.comparedRun()), "%1"),
+                           QStringLiteral("%1: %2").arg(take.numberOf(take.comparedRun()), "%1"),
                            LanePen::kSecond});
     if (take.overview()->has_reference)
         wearers.push_back({Whose::kReference, laneWords(QT_TRANSLATE_NOOP("Lanes", "reference")),

@@ -50,7 +50,7 @@ QString withChosen(const QString& words, const std::optional<SceneCallout>& call
 std::vector<SceneLegend> takeLegends(TakeDocument& take, const ComposedScene& composed,
                                      const SceneLayers& layers, bool beside_other) {
     const bool is_reference = take.comparedRun() == TakeDocument::kReference;
-    const auto result = [](int run) { return SceneWords::tr("Result %1").arg(TakeDocument::numberOf(run)); };
+    const auto result = [&](int run) { return SceneWords::tr("Result %1").arg(take.numberOf(run)); };
     const QString compared = is_reference ? SceneWords::tr("Reference") : result(take.comparedRun());
     if (composed.subject == SceneSubject::kCompared)
         return {{compared, false}};

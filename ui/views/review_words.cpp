@@ -237,6 +237,10 @@ QString runTitle(const ReviewRun& run) {
     return number.isEmpty() ? words : Words::tr("%1 (%2)").arg(words, number);
 }
 
+QString numberedTitle(const ReviewRun& run) {
+    return QStringLiteral("%1: %2").arg(QString::number(run.number), runTitle(run));
+}
+
 Tone toneOf(Grade grade) {
     return grade == Grade::kGood ? Tone::kOk : grade == Grade::kUsable ? Tone::kWarn : Tone::kError;
 }

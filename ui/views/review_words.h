@@ -14,6 +14,8 @@ namespace noctule::ui {
 QString runInWords(const RunSettings& settings);
 /// The name that the operator gave it, else what it was made from; a second one of a kind has its number.
 QString runTitle(const ReviewRun& run);
+/// "2: All sensors", as the list of results in Review numbers them.
+QString numberedTitle(const ReviewRun& run);
 
 Tone toneOf(Grade grade);
 /// "Good take". kUnknown is never asked for: what is judged has a run, or is not usable.

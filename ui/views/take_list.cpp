@@ -79,11 +79,10 @@ void TakeList::openTake(int row) {
     const QString path = review_.shared().session().takePath(row);
     review_.shared().session().setCurrentTake(row);
     if (row != takes_->openRow() && review_.take().path() != path)
-        review_.take().open(path);
+        review_.take().open(path, take.shown_result);
 }
 
 void TakeList::rename(int row) {
-    setCurrentIndex(takes_->index(row));
     edit(takes_->index(row));
 }
 
@@ -123,21 +122,41 @@ void TakeList::keyPressEvent(QKeyEvent* event) {
              event->key() == Qt::Key_Home || event->key() == Qt::Key_End ||
              !event->text().trimmed().isEmpty())
         event->ignore();  // the page plays, steps and marks with these
-    else
+    else {
+        const int before = currentIndex().row();
         QListView::keyPressEvent(event);
+        if (currentIndex().isValid() && currentIndex().row() != before)
+            openTake(currentIndex().row());  // what is highlighted is what is open
+    }
 }
 
+std::optional<int> TakeList::ratingAt(const QPoint& position) const {
+    const QModelIndex index = indexAt(position);
+    return index.isValid() ? TakeDelegate::ratingAt(visualRect(index), position) : std::nullopt;
+}
+
+/// Stars and the menu are of the row below the pointer, whichever is chosen.
 void TakeList::mousePressEvent(QMouseEvent* event) {
-    const QModelIndex index = indexAt(event->pos());
-    rates_ = false;
-    QListView::mousePressEvent(event);
-    if (!index.isValid() || event->button() != Qt::LeftButton)
-        return;
-    const auto rating = TakeDelegate::ratingAt(visualRect(index), event->pos());
+    const auto rating = event->button() == Qt::LeftButton ? ratingAt(event->pos()) : std::nullopt;
     rates_ = rating.has_value();
-    if (rating)
-        review_.shared().session().rate(index.row(),
-                                        *rating == takes_->take(index.row()).rating ? 0 : *rating);
+    if (rating) {
+        const int row = indexAt(event->pos()).row();
+        review_.shared().session().rate(row, *rating == takes_->take(row).rating ? 0 : *rating);
+    } else if (event->button() == Qt::LeftButton) {
+        QListView::mousePressEvent(event);
+    }
+}
+
+void TakeList::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (ratingAt(event->pos()))
+        mousePressEvent(event);
+    else
+        QListView::mouseDoubleClickEvent(event);
+}
+
+void TakeList::mouseMoveEvent(QMouseEvent* event) {
+    if (!rates_ || event->buttons() == Qt::NoButton)
+        QListView::mouseMoveEvent(event);
 }
 
 void TakeList::contextMenuEvent(QContextMenuEvent* event) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The takes of the session: state, name, length and stars. Enter or a double click opens one for review, 0 to
+// The takes of the session: state, name, length and stars. A click or Up and Down open one for review, 0 to
 // 5 rate it, F2 renames it, files dropped on it are copied into the session.
 #pragma once
 
@@ -30,6 +30,8 @@ signals:
 protected:
     void keyPressEvent(QKeyEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dragMoveEvent(QDragMoveEvent* event) override;
@@ -39,6 +41,7 @@ protected:
 private:
     /// How many rows there is room for; the words of an empty list need more than one.
     int rowsShown(int most) const;
+    std::optional<int> ratingAt(const QPoint& position) const;
     void chooseOpen();
     void showMenu(const QModelIndex& index, const QPoint& global);
     bool canRecover(int row) const;

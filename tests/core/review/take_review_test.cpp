@@ -332,5 +332,34 @@ TEST_F(SoundReview, TheEnvelopeIsLowestAndHighest) {
     EXPECT_FALSE(loadSoundEnvelope(soundPath(), 1, 0, {}));
 }
 
+/// Also one that has the last number, whose number nobody gets again.
+TEST_F(TakeReview, AResultKeepsItsNumberWhenAnotherIsDeleted) {
+    for (const char* run : {"first", "second", "third"})
+        addRuns(run);
+    const auto drop = [&](const std::string& name) {
+        auto take = Take::open(path(), Access::kReadWrite);
+        const auto runs = take->derivedRuns();
+        auto edit = TakeEdit::begin(*take);
+        for (const DerivedRun& run : *runs)
+            if (run.name == name) {
+                ASSERT_TRUE(edit->dropRun(run.run));
+            }
+        ASSERT_TRUE(edit->commit());
+    };
+    const auto numbers = [&] {
+        std::vector<std::pair<std::string, int>> found;
+        for (const ReviewRun& run : overviewTake(path(), {})->runs)
+            found.emplace_back(run.run.name, run.number);
+        return found;
+    };
+    using Numbers = std::vector<std::pair<std::string, int>>;
+    EXPECT_EQ(numbers(), (Numbers{{"first", 1}, {"second", 2}, {"third", 3}}));
+    drop("first");
+    EXPECT_EQ(numbers(), (Numbers{{"second", 2}, {"third", 3}}));
+    drop("third");
+    addRuns("fourth");
+    EXPECT_EQ(numbers(), (Numbers{{"second", 2}, {"fourth", 4}}));
+}
+
 }  // namespace
 }  // namespace noctule

@@ -271,7 +271,7 @@ TEST_F(ExportPageTest, SeveralFormatsAndResultsGoOutAtOnce) {
     }
     EXPECT_EQ(kinds, (std::set<std::string>{".bvh", ".fbx", ".glb"}));
     EXPECT_EQ(titles.size(), 2);
-    EXPECT_TRUE(titles.contains("Gyroscopes only"));
+    EXPECT_TRUE(titles.contains("2: Gyroscopes only"));
 }
 
 TEST_F(ExportPageTest, WhatReviewShowsGoesOut) {
@@ -285,7 +285,7 @@ TEST_F(ExportPageTest, WhatReviewShowsGoesOut) {
     EXPECT_EQ(page_->plan()->front().request.run, first) << "not the trial after it";
     studio_->take().setShownRun(1);
     write();
-    EXPECT_EQ(page_->results()->outcomes[0].result, "Gyroscopes only");
+    EXPECT_EQ(page_->results()->outcomes[0].result, "2: Gyroscopes only");
 }
 
 TEST_F(ExportPageTest, NothingIsOverwritten) {

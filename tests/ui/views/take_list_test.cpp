@@ -55,5 +55,21 @@ TEST_F(TakeListTest, AClickOpensATakeAndOneOnItsStarsRatesIt) {
     EXPECT_EQ(take("swing_002").rating, 4);
 }
 
+TEST_F(TakeListTest, TheHighlightedTakeIsTheOpenOne) {
+    const auto highlighted = [this] {
+        const QModelIndexList rows = takes_->selectionModel()->selectedIndexes();
+        return rows.size() == 1 ? takes_->model()->data(rows[0], TakeListModel::kName).toString() : QString();
+    };
+    ASSERT_EQ(highlighted(), "swing_001");
+    QTest::mouseClick(takes_->viewport(), Qt::LeftButton, {}, starOf(rowOf("swing_002"), 3));
+    EXPECT_EQ(take("swing_002").rating, 3);
+    EXPECT_EQ(highlighted(), "swing_001") << "stars choose no take";
+    const bool is_above = studio_->session().session().findTake("swing_002") <
+                          studio_->session().session().findTake("swing_001");
+    QTest::keyClick(takes_.get(), is_above ? Qt::Key_Up : Qt::Key_Down);
+    EXPECT_TRUE(waitFor([this] { return studio_->take().path() == takePath("swing_002"); }));
+    EXPECT_EQ(highlighted(), "swing_002");
+}
+
 }  // namespace
 }  // namespace noctule::ui

@@ -320,7 +320,7 @@ void ExportForm::refresh() {
     const auto overview = review_.take().overview();
     const int shown = review_.take().shownRun();
     run->setItemText(0, overview && shown >= 0
-                            ? tr("Shown: %1").arg(runTitle(overview->runs[static_cast<size_t>(shown)]))
+                            ? tr("Shown: %1").arg(numberedTitle(overview->runs[static_cast<size_t>(shown)]))
                             : tr("As shown in Review"));
 }
 
@@ -346,9 +346,13 @@ QStringList ExportForm::resultsOf(const QString& take) const {
         return takes_->resultNames(take);
     const TakeDocument& open = review_.take();
     const bool is_open = open.isOpen() && openTakeName(review_) == take;
-    if (choice != ResultChoice::kShown || !is_open || open.shownRun() < 0)
+    if (choice == ResultChoice::kShown && is_open && open.shownRun() >= 0)
+        return {QString::fromStdString(open.overview()->runs[static_cast<size_t>(open.shownRun())].run.name)};
+    const SessionModel& session = review_.shared().session();
+    const int index = session.isOpen() ? session.session().findTake(take.toStdString()) : -1;
+    if (choice != ResultChoice::kShown || index < 0)
         return {QString()};
-    return {QString::fromStdString(open.overview()->runs[static_cast<size_t>(open.shownRun())].run.name)};
+    return {QString::fromStdString(session.session().takes[static_cast<size_t>(index)].shown_result)};
 }
 
 void ExportForm::chooseFolder() {

@@ -87,6 +87,7 @@ ExportPage::ExportPage(ReviewContext& review, QWidget* parent)
     connect(form_, &ExportForm::tryWanted, this, &ExportPage::tryOneFrame);
     connect(results_panel_, &ExportResultsPanel::saveWanted, this, &ExportPage::saveCheck);
     connect(&review.take(), &TakeDocument::runsChanged, this, &ExportPage::refresh);
+    connect(&review.time(), &TimeCursor::timeChanged, this, &ExportPage::followCursor);
     connect(&review.shared().shownBody(), &ShownBody::changed, this, &ExportPage::refresh);
     connect(&review.shared().session(), &SessionModel::opened, this, [this] {
         results_.reset();
@@ -179,23 +180,37 @@ Result<std::vector<ExportJob>> ExportPage::planOf(const ExportSettings& settings
     return jobs;
 }
 
-ExportPage::Asked ExportPage::asked() const {
-    Asked asked{form_->settings(), form_->takes(), {}};
+ExportPage::Asked ExportPage::askedBy(const Plan& plan) const {
+    Asked asked{form_->settings(), {}, {}};
     if (asked.settings.range != ExportRange::kOwn)
         asked.settings.own_from_s = asked.settings.own_to_s = 0;  // nobody asks for them
-    for (const QString& take : asked.takes)
-        asked.results += form_->resultsOf(take);
+    if (!plan)
+        return asked;
+    for (const ExportJob& job : *plan) {
+        asked.requests.push_back(job.request);
+        for (const ExportFormatEntry& entry : exportFormats())
+            (asked.requests.back().*entry.path).clear();
+        std::error_code failed;
+        asked.changed.push_back(std::filesystem::last_write_time(job.request.take_path, failed));
+    }
     return asked;
 }
 
-bool ExportPage::isWritten() const {
-    return results_ && results_->written() > 0 && written_ == asked();
+bool ExportPage::isWritten(const Asked& asked) const {
+    return results_ && results_->written() > 0 && written_ == asked;
+}
+
+/// Pictures show the frame at Review's time cursor.
+void ExportPage::followCursor() {
+    if (isVisible() && formatsOf(form_->settings()).front() == ExportFormat::kPng)
+        refresh();
 }
 
 void ExportPage::refresh() {
-    if (!progress_->isRunning() && started_ != asked())
-        progress_->follow(nullptr);  // why other files were not written
     const auto jobs = plan();
+    const Asked asked = askedBy(jobs);
+    if (!progress_->isRunning() && started_ != asked)
+        progress_->follow(nullptr);  // why other files were not written
     const QString problem = jobs ? QString() : coreWords(jobs.error());
     const bool busy = progress_->isRunning();
     const int files = jobs ? fileCount(*jobs, performers_) : 0;
@@ -218,9 +233,10 @@ void ExportPage::refresh() {
                                : QString();
     const QStorageInfo disk(QFileInfo::exists(folder) ? folder : QFileInfo(folder).path());
     const QString room = disk.isValid() ? tr("%1 free.").arg(bytesText(disk.bytesAvailable())) : QString();
-    state_->setText(isWritten() ? tr("Took %1. %2").arg(secondsText(results_->seconds), room)
-                                : tr("Nothing is overwritten: a second export gets _2. %1").arg(room));
-    offer(isWritten());
+    const bool is_written = isWritten(asked);
+    state_->setText(is_written ? tr("Took %1. %2").arg(secondsText(results_->seconds), room)
+                               : tr("Nothing is overwritten: a second export gets _2. %1").arg(room));
+    offer(is_written);
 }
 
 void ExportPage::offer(bool folder_first) {
@@ -234,7 +250,7 @@ void ExportPage::write() {
     if (!jobs || progress_->isRunning())
         return;
     start(
-        tr("Writing %n files", nullptr, fileCount(*jobs, performers_)),
+        tr("Writing %n files", nullptr, fileCount(*jobs, performers_)), askedBy(jobs),
         [jobs = *jobs](const JobContext& job) { return runExport(jobs, job); }, false);
 }
 
@@ -245,7 +261,7 @@ void ExportPage::tryOneFrame() {
     const ExportRequest& first = jobs->front().request;
     const double time_s = cursorIn(first).value_or(first.from_s.value_or(0));
     start(
-        tr("Writing one frame of %1").arg(jobs->front().take),
+        tr("Writing one frame of %1").arg(jobs->front().take), askedBy(jobs),
         [job = jobs->front(), time_s](const JobContext& context) {
             return ui::tryOneFrame(job, time_s, context);
         },
@@ -258,8 +274,8 @@ std::optional<double> ExportPage::cursorIn(const ExportRequest& request) const {
     return is_open ? std::optional(review_.time().time()) : std::nullopt;
 }
 
-void ExportPage::start(const QString& title, std::function<Result<ExportResults>(const JobContext&)> work,
-                       bool is_trial) {
+void ExportPage::start(const QString& title, const Asked& asked,
+                       std::function<Result<ExportResults>(const JobContext&)> work, bool is_trial) {
     Job* job = review_.shared().jobs().start<ExportResults>(
         title, std::move(work), [self = QPointer(this), is_trial](Result<ExportResults> results) -> QString {
             if (self)
@@ -267,7 +283,7 @@ void ExportPage::start(const QString& title, std::function<Result<ExportResults>
             return results && !is_trial ? tr("%n files written and checked.", nullptr, results->written())
                                         : QString();
         });
-    started_ = asked();
+    started_ = asked;
     progress_->follow(job);
     if (isAncestorOf(QApplication::focusWidget()))
         setFocus();  // a button that is disabled would give the keyboard to another part of the window

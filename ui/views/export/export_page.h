@@ -2,6 +2,8 @@
 // What is missing for the next program? Takes as files, made for it, written, read again and checked.
 #pragma once
 
+#include <filesystem>
+
 #include "ui/models/review_context.h"
 #include "ui/views/export/export_run.h"
 #include "ui/views/export/export_settings.h"
@@ -53,19 +55,22 @@ private:
     QWidget* makeFoot();
     void placeSides();
     void refresh();
-    void start(const QString& title, std::function<Result<ExportResults>(const JobContext&)> work,
-               bool is_trial);
-    void present(const Result<ExportResults>& results, bool is_trial);
-    void noteDamage(const ExportResults& results);
-    /// What the operator asks for at the moment.
+    /// All that the files depend on, but for their names, which are others once these are written.
     struct Asked {
         ExportSettings settings;
-        QStringList takes, results;
+        std::vector<ExportRequest> requests;
+        std::vector<std::filesystem::file_time_type> changed;  ///< the takes' files
         bool operator==(const Asked&) const = default;
     };
-    Asked asked() const;
+    void start(const QString& title, const Asked& asked,
+               std::function<Result<ExportResults>(const JobContext&)> work, bool is_trial);
+    void present(const Result<ExportResults>& results, bool is_trial);
+    void noteDamage(const ExportResults& results);
+    using Plan = Result<std::vector<ExportJob>>;
+    Asked askedBy(const Plan& plan) const;
     /// The files on disk are those that are asked for.
-    bool isWritten() const;
+    bool isWritten(const Asked& asked) const;
+    void followCursor();
     Result<std::vector<ExportJob>> planOf(const ExportSettings& settings, const QStringList& takes) const;
     void offer(bool folder_first);
     void saveCheck();

@@ -37,12 +37,12 @@ std::vector<ExportRequest> requestsOf(std::span<const ExportJob> takes) {
     return requests;
 }
 
-/// "Gyroscopes only"
+/// "2: Gyroscopes only"
 QString resultTitle(const std::string& take_path, const std::string& run, const JobContext& context) {
     if (const auto overview = overviewTake(take_path, context))
         for (const ReviewRun& each : overview->runs)
             if (each.run.name == run)
-                return runTitle(each);
+                return numberedTitle(each);
     return QString::fromStdString(run);
 }
 

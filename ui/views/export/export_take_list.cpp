@@ -114,14 +114,14 @@ void ExportTakeList::addResults(QTreeWidgetItem* item) {
         return;
     const std::vector<ReviewRun>& runs = found->second.runs;
     if (runs.size() == 1 || !choosable_) {
-        item->setText(1, runs.size() == 1 ? runTitle(runs.front())
+        item->setText(1, runs.size() == 1 ? numberedTitle(runs.front())
                                           : tr("%n results", nullptr, static_cast<int>(runs.size())));
         return;
     }
     auto* box = new QComboBox;
     box->setAccessibleName(tr("Result of %1").arg(take));
     for (const ReviewRun& run : runs)
-        box->addItem(runTitle(run), QString::fromStdString(run.run.name));
+        box->addItem(numberedTitle(run), QString::fromStdString(run.run.name));
     const int chosen = box->findData(chosen_.value(take));
     box->setCurrentIndex(chosen >= 0 ? chosen : box->count() - 1);
     connect(box, qOverload<int>(&QComboBox::currentIndexChanged), this, [this, take, box](int index) {

@@ -14,7 +14,7 @@ namespace {
 constexpr int kTakesWide = 440, kTakesHigh = 240;
 
 /// What processing uses, and what becomes of the takes.
-QString aboutProcessing(Studio& studio, bool with_actor) {
+QString aboutProcessing(Studio& studio, bool with_actor, ProcessTakesDialog::With with) {
     const QString calibration = studio.calibrations().fileInForce().section('.', 0, 0);
     QStringList words{calibration.isEmpty()
                           ? ProcessTakesDialog::tr(
@@ -24,6 +24,11 @@ QString aboutProcessing(Studio& studio, bool with_actor) {
                                 "Each take is processed as accurately as possible, with all sensors and the "
                                 "calibration “%1”; takes of several performers keep their own.")
                                 .arg(calibration)};
+    if (with == ProcessTakesDialog::With::kTheirOwn && !calibration.isEmpty())
+        words = {ProcessTakesDialog::tr(
+                     "Each take is processed as accurately as possible, with all sensors and the "
+                     "calibration that it was recorded with; one recorded without gets “%1”.")
+                     .arg(calibration)};
     if (with_actor)
         words << ProcessTakesDialog::tr("Takes of %1 get the bone lengths that this calibration found.")
                      .arg(QString::fromStdString(studio.session().session().current_performer));
@@ -33,10 +38,12 @@ QString aboutProcessing(Studio& studio, bool with_actor) {
 
 }  // namespace
 
-ProcessTakesDialog::ProcessTakesDialog(Studio& studio, std::optional<Actor> actor, QWidget* parent)
-    : DialogFrame(tr("Process takes"), aboutProcessing(studio, actor.has_value()), tr("Process"), parent),
+ProcessTakesDialog::ProcessTakesDialog(Studio& studio, std::optional<Actor> actor, QWidget* parent, With with)
+    : DialogFrame(tr("Process takes"), aboutProcessing(studio, actor.has_value(), with), tr("Process"),
+                  parent),
       studio_(studio),
       actor_(std::move(actor)),
+      with_(with),
       takes_(new QListWidget) {
     takes_->setAccessibleName(tr("Takes to process"));
     keepSize(*takes_, kTakesWide, kTakesHigh);
@@ -89,7 +96,8 @@ void ProcessTakesDialog::process() {
         if (names.contains(QString::fromStdString(take.name)))
             takes.emplace_back(
                 studio_.session().session().pathOf(take).string(),
-                PartsOfOne{studio_.calibrations().inForce(), isOfPerformer(take) ? actor_ : std::nullopt});
+                PartsOfOne{studio_.calibrations().inForce(), isOfPerformer(take) ? actor_ : std::nullopt,
+                           with_ == With::kTheirOwn});
     studio_.processInTurn(std::move(takes));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Several takes of the session processed once more with the calibration in use: all sensors, free root.
+// Several takes of the session processed, each with one calibration: all sensors, free root.
 // Review has the other choices for a single take. Nothing is replaced, every processing adds a result.
 #pragma once
 
@@ -15,9 +15,13 @@ namespace noctule::ui {
 class ProcessTakesDialog : public DialogFrame {
     Q_OBJECT
 public:
+    /// kInUse: the calibration in use instead of what the takes hold. kTheirOwn: only for takes that hold
+    /// none.
+    enum class With { kInUse, kTheirOwn };
     /// All takes of the current performer are ticked. `actor`: the performer as the calibration measured it,
     /// for takes of the same one.
-    ProcessTakesDialog(Studio& studio, std::optional<Actor> actor, QWidget* parent = nullptr);
+    ProcessTakesDialog(Studio& studio, std::optional<Actor> actor, QWidget* parent = nullptr,
+                       With with = With::kInUse);
 
     /// Names, in the order of the session.
     QStringList ticked() const;
@@ -31,6 +35,7 @@ private:
 
     Studio& studio_;
     std::optional<Actor> actor_;
+    const With with_;
     QListWidget* takes_;
 };
 

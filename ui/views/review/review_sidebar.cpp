@@ -127,7 +127,7 @@ void ReviewSidebar::fillMenu(QMenu& menu) {
     menu.addSeparator();
     const QStringList unprocessed = unprocessedTakes();
     QAction* process = menu.addAction(tr("Process all unprocessed takes"), this, [this, unprocessed] {
-        ProcessTakesDialog dialog(studio_, std::nullopt, window());
+        ProcessTakesDialog dialog(studio_, std::nullopt, window(), ProcessTakesDialog::With::kTheirOwn);
         dialog.tick(unprocessed);
         dialog.exec();
     });

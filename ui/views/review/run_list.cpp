@@ -42,7 +42,7 @@ void RunList::refresh() {
         return;  // the rows are of the take before; rebuild() follows
     for (int run = 0; run < count(); ++run) {
         row(run)->setChecked(run == take.shownRun() || run == take.comparedRun());
-        row(run)->setState(TakeDocument::numberOf(run), detail(run));
+        row(run)->setState(take.numberOf(run), detail(run));
     }
 }
 

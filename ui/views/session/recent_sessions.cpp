@@ -6,6 +6,7 @@
 #include <QPointer>
 #include <algorithm>
 
+#include "core/review/take_review.h"
 #include "core/session/session.h"
 #include "ui/language/core_words.h"
 #include "ui/models/session_marker.h"
@@ -15,6 +16,34 @@ namespace {
 
 constexpr const char* kRecentGroup = "recent";
 
+bool hasBrokenOff(const SessionTake& take) {
+    return take.state == TakeState::kRecording || take.state == TakeState::kRecovered;
+}
+
+/// Its calibration makes it one; what else does is known only once all of it was judged, which takes long.
+bool isNotUsable(const std::string& path, const JobContext& job) {
+    const auto overview = overviewTake(path, job);
+    return !overview || overview->runs.empty() ||
+           (!overview->has_reference &&
+            gradeOf(overview->lack, overview->runs.back().settings.sensors) == Grade::kNotUsable);
+}
+
+/// The newest take that neither broke off nor is unusable, else the newest with a result. Empty: none has
+/// one.
+QString takeForPicture(const Session& session, const JobContext& job) {
+    std::string newest;
+    for (auto take = session.takes.rbegin(); take != session.takes.rend(); ++take) {
+        if (!take->processed || job.cancelled())
+            continue;
+        const std::string path = session.pathOf(*take).string();
+        if (!hasBrokenOff(*take) && !isNotUsable(path, job))
+            return QString::fromStdString(path);
+        if (newest.empty())
+            newest = path;
+    }
+    return QString::fromStdString(newest);
+}
+
 void addTake(RecentSession& recent, const Session& session, const SessionTake& take) {
     const QString path = QString::fromStdString(session.pathOf(take).string());
     ++recent.takes;
@@ -22,10 +51,7 @@ void addTake(RecentSession& recent, const Session& session, const SessionTake& t
     recent.take_names.append(QString::fromStdString(take.name));
     recent.damaged += take.state == TakeState::kDamaged;
     recent.unprocessed += take.state != TakeState::kDamaged && !take.processed;
-    // A take that broke off is no picture of its session while there is another.
-    const bool broke_off = take.state == TakeState::kRecording || take.state == TakeState::kRecovered;
-    if (take.processed && (!broke_off || recent.newest_take.isEmpty()))
-        recent.newest_take = path;
+    const bool broke_off = hasBrokenOff(take);
     // Once it was recovered and processed it is a take as others are.
     if (broke_off && !(take.state == TakeState::kRecovered && take.processed))
         recent.interrupted.push_back(
@@ -55,6 +81,7 @@ RecentSession lookAt(RecentSession recent, const JobContext& job) {
     found.left_open = SessionMarker::wasLeftBehind(recent.folder);
     for (const SessionTake& take : session->takes)
         addTake(found, *session, take);
+    found.newest_take = takeForPicture(*session, {nullptr, job.cancel});
     if (SessionMarker::isOpenElsewhere(recent.folder))
         found.interrupted.clear();  // it may be recording
     return found;
