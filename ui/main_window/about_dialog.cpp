@@ -9,6 +9,7 @@
 #include "ui/main_window/licences.h"
 #include "ui/style/theme.h"
 #include "ui/views/scaled_layout.h"
+#include "ui/views/window_place.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/label.h"
 #include "ui/widgets/scroll_area.h"
@@ -69,7 +70,7 @@ AboutDialog::AboutDialog(const std::string& software, QWidget* parent) : QDialog
         QGuiApplication::clipboard()->setText(licencesAsText(software));
     });
     connect(close, &QPushButton::clicked, this, &QDialog::accept);
-    resize(Theme::get().px(560), Theme::get().px(600));
+    placeDialog(*this, {Theme::get().px(560), Theme::get().px(600)});
 }
 
 }  // namespace noctule::ui

@@ -11,6 +11,7 @@
 #include "ui/style/resources.h"
 #include "ui/style/theme.h"
 #include "ui/views/scaled_layout.h"
+#include "ui/views/window_place.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/label.h"
 
@@ -106,7 +107,7 @@ HelpWindow::HelpWindow(QWidget* parent)
     row->addWidget(close);
     connect(back, &QPushButton::clicked, page_, &QTextBrowser::backward);
     connect(close, &QPushButton::clicked, this, &QDialog::accept);
-    resize(Theme::get().px(1000), Theme::get().px(720));
+    placeDialog(*this, {Theme::get().px(1000), Theme::get().px(720)});
 }
 
 void HelpWindow::showDocument(const QString& name) {

@@ -16,11 +16,11 @@
 #include "ui/main_window/top_bar.h"
 #include "ui/main_window/undo_keys.h"
 #include "ui/main_window/window_menus.h"
-#include "ui/main_window/window_place.h"
 #include "ui/robot/robot_drive.h"
 #include "ui/scene/scene_canvas.h"
 #include "ui/style/theme.h"
 #include "ui/views/page.h"
+#include "ui/views/window_place.h"
 
 namespace noctule::ui {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "ui/style/theme.h"
 #include "ui/views/scaled_layout.h"
+#include "ui/views/window_place.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/label.h"
 #include "ui/widgets/scroll_area.h"
@@ -61,7 +62,7 @@ NewsDialog::NewsDialog(QWidget* parent) : QDialog(parent) {
     Button* close = makeButton(ButtonKind::kOutlined, tr("Close"), {}, QKeySequence("Esc"));
     row->addWidget(close);
     connect(close, &QPushButton::clicked, this, &QDialog::accept);
-    resize(Theme::get().px(520), Theme::get().px(480));
+    placeDialog(*this, {Theme::get().px(520), Theme::get().px(480)});
 }
 
 }  // namespace noctule::ui

@@ -13,10 +13,10 @@
 
 #include "ui/language/language.h"
 #include "ui/main_window/look.h"
-#include "ui/main_window/window_place.h"
 #include "ui/models/voice.h"
 #include "ui/style/theme.h"
 #include "ui/views/scaled_layout.h"
+#include "ui/views/window_place.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/elided_label.h"
 #include "ui/widgets/form_rows.h"
@@ -28,7 +28,7 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kLabels = 140, kAboveDialog = 40;
+constexpr int kLabels = 140;
 constexpr std::array kTextSizes{75, 90, 100, 110, 125, 150};
 
 FormRows* addSection(QVBoxLayout& column, const QString& title) {
@@ -64,15 +64,8 @@ PreferencesDialog::PreferencesDialog(Studio& studio, QWidget* parent) : QDialog(
     fit();
 }
 
-/// No larger than the window it belongs to; grown, it stays on the screen.
 void PreferencesDialog::fit() {
-    QSize wanted(Theme::get().px(560), Theme::get().px(740));
-    if (parentWidget())
-        wanted = wanted.boundedTo(parentWidget()->window()->size() - QSize(0, kAboveDialog));
-    const QRect place = placeWithin({pos(), wanted}, freeRoom(*this)).content;
-    resize(place.size());
-    if (isVisible())
-        move(place.topLeft());
+    placeDialog(*this, {Theme::get().px(560), Theme::get().px(740)});
 }
 
 void PreferencesDialog::addLook(QVBoxLayout& column) {

@@ -8,6 +8,7 @@
 #include "ui/views/connect/map_legend.h"
 #include "ui/views/connect/performer_map.h"
 #include "ui/views/scaled_layout.h"
+#include "ui/views/window_place.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/label.h"
 #include "ui/widgets/scroll_area.h"
@@ -18,20 +19,17 @@ PutOnDialog::PutOnDialog(Studio& studio, QWidget* parent) : QDialog(parent) {
     auto* outer = makeColumn(this, {24, 16, 24, 16}, 12);
     outer->addWidget(new Label(tr("Put the suit on"), TextRole::kPage, Ink::kValue, true));
     auto* columns = addRow(outer, 24);
-    auto* drawing = new QWidget;
-    auto* drawing_column = makeColumn(drawing, {}, 8);
-    drawing_column->addWidget(makePerformerMap(studio), 1);
-    drawing_column->addWidget(new MapLegend);
-    columns->addWidget(drawing, 1);
+    outer->setStretch(1, 1);
+    columns->addWidget(makePerformerMap(studio), 1);
     auto* steps = new ScrollArea(makeSteps());
     keepSize(*steps, 300, 0);
     columns->addWidget(steps);
     auto* row = addRow(outer);
-    row->addStretch();
+    row->addWidget(new MapLegend, 1);
     Button* close = makeButton(ButtonKind::kOutlined, tr("Close"), {}, QKeySequence("Esc"));
     row->addWidget(close);
     connect(close, &QPushButton::clicked, this, &QDialog::accept);
-    resize(Theme::get().px(1040), Theme::get().px(720));
+    placeDialog(*this, {Theme::get().px(1040), Theme::get().px(720)});
 }
 
 QWidget* PutOnDialog::makeSteps() {

@@ -9,6 +9,7 @@
 #include "ui/style/theme.h"
 #include "ui/style/words.h"
 #include "ui/views/scaled_layout.h"
+#include "ui/views/window_place.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/label.h"
 #include "ui/widgets/search_field.h"
@@ -74,7 +75,7 @@ ShortcutsDialog::ShortcutsDialog(const QList<ShortcutGroup>& groups, QWidget* pa
     }
     addTimeline();
     addView3d();
-    resize(Theme::get().px(620), Theme::get().px(640));
+    placeDialog(*this, {Theme::get().px(620), Theme::get().px(640)});
     search_->setFocus();
 }
 

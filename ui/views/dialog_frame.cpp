@@ -2,22 +2,18 @@
 #include "ui/views/dialog_frame.h"
 
 #include <QEvent>
-#include <QScreen>
+#include <QScrollBar>
 #include <algorithm>
 
 #include "ui/style/theme.h"
 #include "ui/views/scaled_layout.h"
+#include "ui/views/window_place.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/divider.h"
 #include "ui/widgets/label.h"
 #include "ui/widgets/scroll_area.h"
 
 namespace noctule::ui {
-namespace {
-
-constexpr int kTitleBar = 40;
-
-}  // namespace
 
 DialogFrame::DialogFrame(const QString& title, const QString& about, const QString& action, QWidget* parent)
     : QDialog(parent),
@@ -49,6 +45,17 @@ DialogFrame::DialogFrame(const QString& title, const QString& about, const QStri
     cancel->setAutoDefault(false);
     connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
     connect(action_, &QPushButton::clicked, this, &QDialog::accept);
+    connect(&Theme::get(), &Theme::changed, this, &DialogFrame::fitWidth);
+}
+
+void DialogFrame::setWide(int width) {
+    wide_ = width;
+    fitWidth();
+}
+
+void DialogFrame::fitWidth() {
+    if (wide_ > 0)
+        setFixedWidth(std::min(Theme::get().px(wide_), roomOf(*this).width()));
 }
 
 void DialogFrame::setProblem(const QString& problem) {
@@ -70,22 +77,27 @@ bool DialogFrame::event(QEvent* event) {
 
 /// Qt's own least height is what wrapped texts would need at another width. Lists that scroll may be lower.
 void DialogFrame::keepLeastHeight() {
-    int least = layout()->totalHeightForWidth(width());
+    const int whole = layout()->totalHeightForWidth(width());
+    int scrolled = 0;  // lists stand beside each other
     for (const ScrollArea* list : findChildren<ScrollArea*>())
         if (list->isVisibleTo(this))
-            least -= list->sizeHint().height() - list->minimumSizeHint().height();
-    setMinimumHeight(least);
+            scrolled = std::max(scrolled, list->sizeHint().height() - list->minimumSizeHint().height());
+    setMinimumHeight(std::clamp(whole - scrolled, 0, roomOf(*this).height()));
 }
 
 void DialogFrame::fitHeight() {
+    fitWidth();
     layout()->activate();
     keepLeastHeight();
-    const QRect free = screen()->availableGeometry();
-    const int room = free.height() - Theme::get().px(kTitleBar);
-    resize(width(), std::min(layout()->totalHeightForWidth(width()), room));
-    if (isVisible())  // grown, it stays on the screen
-        move(std::max(free.left(), std::min(x(), free.right() - frameGeometry().width())),
-             std::max(free.top(), std::min(y(), free.bottom() - frameGeometry().height())));
+    const int wide = std::min(width(), roomOf(*this).width());
+    placeDialog(*this, {wide, layout()->totalHeightForWidth(wide)});
+    layout()->activate();
+    int hidden = 0;  // wrapped texts in a list say their height only at the width that it has got
+    for (const ScrollArea* list : findChildren<ScrollArea*>())
+        if (list->isVisibleTo(this))
+            hidden = std::max(hidden, list->verticalScrollBar()->maximum());
+    if (hidden > 0)
+        placeDialog(*this, {wide, height() + hidden});
 }
 
 }  // namespace noctule::ui

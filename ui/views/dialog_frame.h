@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A dialog of the studio: title, what it is about, content, and at the bottom Cancel and one primary button.
-// It is as high as its texts and lists ask for at its width, as far as the screen has room.
+// It is as high as its texts and lists ask for at its width, and never larger than its room (window_place.h).
 #pragma once
 
 #include <QDialog>
@@ -17,6 +17,8 @@ class DialogFrame : public QDialog {
 public:
     DialogFrame(const QString& title, const QString& about, const QString& action, QWidget* parent);
 
+    /// In the pixels of the style guide; narrower where the room is. Without it contents say how wide.
+    void setWide(int width);
     QBoxLayout* content() { return content_; }
     /// Enter; accept() unless it is connected elsewhere first.
     Button* actionButton() { return action_; }
@@ -30,11 +32,13 @@ protected:
     virtual void fitHeight();
 
 private:
+    void fitWidth();
     void keepLeastHeight();
 
     QBoxLayout* content_;
     Label* problem_;
     Button* action_;
+    int wide_ = 0;
 };
 
 }  // namespace noctule::ui

@@ -17,9 +17,7 @@ CalibrationTableCard::CalibrationTableCard(const CalibrationTable& table, QWidge
     auto* cells = new QWidget;
     auto* grid = makeGrid(cells, {}, 6);
     const auto add = [grid](const std::string& text, int row, int column_index, Ink ink, TextRole role) {
-        auto* cell = new Label(coreWords(text), role, ink);
-        if (row == 0)
-            cell->wrapped();
+        auto* cell = (new Label(coreWords(text), role, ink))->wrapped();  // a narrow page breaks them
         cell->setAlignment((column_index == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
         grid->addWidget(cell, row, column_index);
     };

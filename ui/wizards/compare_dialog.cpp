@@ -14,7 +14,7 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kWide = 760, kHigh = 480;
+constexpr int kWide = 840;
 
 QString nameOf(const QString& file) {
     return file.section('.', 0, 0);
@@ -37,9 +37,8 @@ CompareDialog::CompareDialog(CaptureContext& capture, const ShelvedCalibration& 
     if (column->count() == 0)
         column->addWidget(new Label(tr("All values are the same."), TextRole::kBody, Ink::kLabel));
     column->addStretch();
-    auto* area = new ScrollArea(tables);
-    keepSize(*area, kWide, kHigh);
-    content()->addWidget(area);
+    content()->addWidget(new ScrollArea(tables), 1);
+    setWide(kWide);
     connect(this, &QDialog::accepted, this, [&capture, file = other.file] {
         capture.calibrations().use(file, tr("Going back to %1").arg(nameOf(file)));
     });

@@ -14,7 +14,6 @@
 #include "ui/main_window/put_on_dialog.h"
 #include "ui/main_window/shortcuts_dialog.h"
 #include "ui/main_window/side_docks.h"
-#include "ui/main_window/window_place.h"
 #include "ui/robot/add_robot_dialog.h"
 #include "ui/views/performer/body_dialog.h"
 #include "ui/views/record/record_page.h"
@@ -28,9 +27,14 @@
 #include "ui/views/session/new_session_dialog.h"
 #include "ui/views/session/recording_dialog.h"
 #include "ui/views/session/transfer_dialog.h"
+#include "ui/views/window_place.h"
+#include "ui/wizards/compare_dialog.h"
 
 namespace noctule::ui {
 namespace {
+
+/// Of the smallest screen, below the title bar of a dialog.
+constexpr QSize kFreeRoom(1280, 760);
 
 class ClippingTest : public test::ClippingFixture {
 protected:
@@ -51,17 +55,17 @@ protected:
         }
     }
 
-    /// Names of bones and columns as a file has them, and of libraries.
+    /// Names of bones and columns as a file has them, of calibration files and of libraries.
     static bool showsWordsOfOthers(const QWidget& dialog) {
         return qobject_cast<const MotionDialog*>(&dialog) || qobject_cast<const ColumnsDialog*>(&dialog) ||
-               qobject_cast<const AboutDialog*>(&dialog);
+               qobject_cast<const AboutDialog*>(&dialog) || qobject_cast<const CompareDialog*>(&dialog);
     }
 
     template <class Dialog, class... Arguments>
     void dialogIsWhole(const char* name, Arguments&&... arguments) {
         inEveryLook([&](const QString& look) {
+            window_->resize(1280, 800);
             Dialog dialog(arguments..., window_.get());
-            dialog.setMaximumSize(1280, 760);
             dialog.show();
             EXPECT_TRUE(waitFor([this] { return studio_->jobs().idle(); }));
             QTest::qWait(30);
@@ -70,6 +74,9 @@ protected:
                 expectWhole(dialog, where);
             else
                 expectWholeAndItsLanguage(dialog, where);
+            const QSize size = dialog.size();  // one has a member of the name height
+            EXPECT_LE(size.width(), kFreeRoom.width()) << where.toStdString();
+            EXPECT_LE(size.height(), kFreeRoom.height()) << where.toStdString();
         });
     }
 };
@@ -171,6 +178,30 @@ TEST_P(ClippingTest, DialogsAboutTakes) {
     dialogIsWhole<ProcessTakesDialog>("process takes", *studio_, std::nullopt);
     dialogIsWhole<BodyDialog>("body", *studio_);
     dialogIsWhole<TransferDialog>("to another session", *studio_, "walk_001", SessionModel::Transfer::kMove);
+}
+
+TEST_P(ClippingTest, TwoCalibrationsCompared) {
+    openSampleTake();
+    CalibrationResult in_use;
+    in_use.calibration = nominalCalibration(studio_->take().overview()->suit);
+    ASSERT_EQ(studio_->calibrations().save(in_use, "accelerometers"), "");
+    ShelvedCalibration other{"accelerometers-2025-12-01.json", in_use.calibration};
+    other.calibration.created_utc = "2025-12-01T10:00:00Z";
+    ASSERT_FALSE(other.calibration.boards.empty());
+    for (BoardCalibration& board : other.calibration.boards) {
+        board.gyro.zero_counts += Vector3d(0.8, -0.5, 0.2);
+        board.accel.matrix *= 1.0004;
+    }
+    dialogIsWhole<CompareDialog>("compare", *studio_, other);
+}
+
+/// Another dialog is smaller than the window; what belongs to it has the window's room all the same.
+TEST_P(ClippingTest, ADialogOfADialogHasTheRoomOfTheWindow) {
+    window_->resize(1280, 800);
+    ShotListDialog first("Walk", true, window_.get());
+    const NewsDialog second(&first);
+    EXPECT_EQ(roomOf(second), kFreeRoom);
+    EXPECT_EQ(roomOf(second), roomOf(first));
 }
 
 INSTANTIATE_TEST_SUITE_P(Languages, ClippingTest, testing::Values("en", "de"));

@@ -164,7 +164,6 @@ TEST_F(ImportMotion, Pictures) {
             Theme::get().setScheme(scheme);
             window_->resize(size);
             MotionDialog dialog(*studio_, path, window_.get());
-            dialog.setMaximumSize(size.width(), size.height() - 40);
             dialog.show();
             ASSERT_TRUE(waitFor([&] { return settled(dialog); }));
             QTest::qWait(300);

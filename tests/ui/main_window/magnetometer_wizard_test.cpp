@@ -6,48 +6,19 @@
 #include <random>
 
 #include "core/processing/field_take.h"
-#include "tests/ui/main_window/clipping_fixture.h"
-#include "tests/ui/wizards/rig_program.h"
-#include "ui/main_window/side_docks.h"
+#include "tests/ui/main_window/wizard_fixture.h"
 #include "ui/widgets/button.h"
-#include "ui/wizards/calibrate_page.h"
 #include "ui/wizards/field_sensors.h"
 #include "ui/wizards/wizard_intro.h"
-#include "ui/wizards/wizard_page.h"
 
 namespace noctule::ui {
 namespace {
 
 constexpr int kBoards = 6;
 
-class WizardsInTheWindow : public test::ClippingFixture {
+class WizardsInTheWindow : public test::WizardFixture {
 protected:
-    CalibratePage& page() { return dynamic_cast<CalibratePage&>(window_->page(Step::kCalibrate)); }
-    WizardRun& run() { return *page().wizard().run(); }
     const FieldGuide& guide() { return *run().fieldGuide(); }
-    bool reach(const std::function<bool()>& condition) { return QTest::qWaitFor(condition, 120'000); }
-    void wizardIsWhole(const QString& name) {
-        inEveryLook([&](const QString& look) {
-            window_->resize(1280, 800);
-            window_->sideDocks().reset();
-            QTest::qWait(60);
-            expectWholeAndItsLanguage(*window_, QStringLiteral("%1, %2").arg(name, look));
-            EXPECT_EQ(window_->size(), QSize(1280, 800)) << look.toStdString();
-        });
-        const QString folder = qEnvironmentVariable("NOCTULE_SCREENSHOTS");
-        if (!folder.isEmpty())
-            inEveryLook([&](const QString& look) {
-                const bool large = look.contains("150");
-                window_->resize(large ? QSize(1280, 800) : QSize(1440, 900));
-                window_->sideDocks().reset();
-                QTest::qWait(300);
-                window_->grab().save(
-                    QStringLiteral("%1/window-%2-%3.png")
-                        .arg(folder, name, QString(look).remove(',').remove('%').replace(' ', '-')));
-            });
-        Theme::get().setScale(1);
-        Theme::get().setScheme(Scheme::kDark);
-    }
     static Suit suitWithField() {
         std::ifstream file(NOCTULE_SOURCE_DIR "/resources/suits/default.json");
         nlohmann::json suit = nlohmann::json::parse(file);
@@ -98,8 +69,6 @@ protected:
         page().wizard().intro().beginButton()->click();
         ASSERT_EQ(run().phase(), WizardRun::Phase::kGuiding);
     }
-
-    std::unique_ptr<test::RigProgram> rig_;
 };
 
 TEST_P(WizardsInTheWindow, FirstPages) {

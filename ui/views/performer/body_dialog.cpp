@@ -45,7 +45,7 @@ BodyDialog::BodyDialog(SharedContext& shared, QWidget* parent)
       name_(new Label),
       heading_(new Label({}, TextRole::kSection, Ink::kValue, true)),
       progress_(new JobProgress) {
-    keepSize(*this, kDialogWidth, 0);
+    setWide(kDialogWidth);
     auto* form = new FormRows(kBodyLabels);
     form->addRow(tr("Body"), name_);
     auto* buttons = new QWidget;
@@ -177,7 +177,7 @@ void BodyDialog::showRows(QWidget* rows, int dialog_width) {
     rows_ = rows;
     rows_column_->addWidget(rows);
     rows->show();  // at once, not with the next event: the dialog's height counts it
-    keepSize(*this, dialog_width, 0);
+    setWide(dialog_width);
 }
 
 /// Ends below a whole row: a half one looks as if the list ended there.

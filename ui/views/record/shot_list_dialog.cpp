@@ -23,7 +23,7 @@ ShotListDialog::ShotListDialog(const QString& text, bool pasted, QWidget* parent
     editor->setPlaceholderText(tr("Walk, straight line x2\nReach, high and low\nTurn, both ways x3"));
     editor->setAccessibleName(tr("Shot list"));
     editor->setTabChangesFocus(true);
-    keepSize(*editor, 420, 260);
+    keepSize(*editor, 420, 200);
     content()->addWidget(editor);
     content()->addWidget(counted_);
     connect(editor, &QPlainTextEdit::textChanged, this, &ShotListDialog::count);

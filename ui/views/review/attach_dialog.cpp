@@ -24,7 +24,7 @@ AttachDialog::AttachDialog(const TakeOverview& overview, const QString& path, QW
       has_external_root_(overview.has_external_root),
       has_result_(!overview.runs.empty()) {
     using enum ChoiceRow::Kind;
-    keepSize(*this, 480, 0);
+    setWide(480);
     const auto alternatives = [this](const QString& title, ChoiceRow* first, ChoiceRow* second) {
         content()->addSpacing(4);
         content()->addWidget(new Label(title, TextRole::kSection, Ink::kValue, true));

@@ -11,7 +11,7 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kTakesWide = 440, kTakesHigh = 240;
+constexpr int kTakesWide = 440, kTakesHigh = 200;
 
 /// What processing uses, and what becomes of the takes.
 QString aboutProcessing(Studio& studio, bool with_actor, ProcessTakesDialog::With with) {

@@ -22,6 +22,7 @@
 #include "ui/widgets/button.h"
 #include "ui/widgets/form_rows.h"
 #include "ui/widgets/label.h"
+#include "ui/widgets/scroll_area.h"
 
 namespace noctule::ui {
 namespace {
@@ -62,15 +63,14 @@ ReprocessDialog::ReprocessDialog(Studio& studio, const TakeOverview& overview, Q
       studio_(studio),
       overview_(overview) {
     auto* sides = new QWidget;
-    auto* row = makeRow(sides, {0, 8, 0, 0}, 32);
-    content()->addWidget(sides);
-    content()->addStretch();
+    auto* row = makeRow(sides, {0, 8, 8, 0}, 20);
+    content()->addWidget(new ScrollArea(sides), 1);
+    setWide(1024);
     std::array<QBoxLayout*, 3> columns;  // two would be higher than the smallest screen
     for (QBoxLayout*& column : columns) {
         auto* part = new QWidget;
-        keepSize(*part, 300, 0);
         column = makeColumn(part, {}, 20);
-        row->addWidget(part);
+        row->addWidget(part, 1);
     }
     addSensors(*columns[0]);
     addRoot(*columns[0]);
@@ -107,6 +107,8 @@ void ReprocessDialog::addRoot(QBoxLayout& into) {
     root_given = new ChoiceRow(kRadio, tr("From another system"), tr("Its hips are used."));
     auto* under = new FormRows;
     ground = new QComboBox;
+    ground->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    ground->setMinimumContentsLength(12);
     ground->addItems(
         {tr("Level floor"), tr("Uneven, steps"), tr("Treadmill"), tr("Contacts are not looked for")});
     under->addRow(tr("Ground"), ground);

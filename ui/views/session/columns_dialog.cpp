@@ -22,7 +22,7 @@ namespace noctule::ui {
 namespace {
 
 constexpr int kColumnsDialogWidth = 940, kUnitsWidth = 250, kUnitLabels = 110, kMeaningWidth = 170,
-              kSensorNameWidth = 130, kColumnRowsHeight = 300, kFirstValuesWidth = 190;
+              kSensorNameWidth = 130, kColumnRowsHeight = 240, kFirstValuesWidth = 190;
 constexpr double kNoRate_hz = 0, kMostTableRate_hz = 10000;
 
 struct ColumnMeaning {
@@ -78,7 +78,7 @@ ColumnsDialog::ColumnsDialog(const QString& file, TableColumns table, QWidget* p
       save_map(makeButton(ButtonKind::kText, tr("Save as a map…"))),
       table_(std::move(table)),
       counts_((new Label({}, TextRole::kSecondary, Ink::kHint))->wrapped()) {
-    keepSize(*this, kColumnsDialogWidth, 0);
+    setWide(kColumnsDialogWidth);
     auto* halves = noctule::ui::addRow(content(), 20);
     halves->addWidget(makeRows(), 1);
     halves->addWidget(makeUnits());
@@ -118,7 +118,7 @@ void ColumnsDialog::addRow(QGridLayout& grid, size_t column) {
     keepSize(*row.sensor, kSensorNameWidth, 0);
     auto* label = new ElidedLabel(name, TextRole::kBody, Ink::kValue);
     auto* cells = new ElidedLabel(firstCells(one), TextRole::kSecondary, Ink::kHint);
-    keepSize(*cells, kFirstValuesWidth, 0);
+    keepMaximumWidth(*cells, kFirstValuesWidth);
     const int line = static_cast<int>(column) + 1;
     int place = 0;
     for (QWidget* widget : std::initializer_list<QWidget*>{label, cells, row.meaning, row.sensor})

@@ -25,8 +25,8 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kMotionDialogWidth = 1000, kFactsWidth = 430, kFactLabels = 110, kJointWidth = 200,
-              kFactsHeight = 262;
+constexpr int kMotionDialogWidth = 1000, kFactsWidth = 450, kFactLabels = 110, kJointWidth = 200,
+              kFactsHeight = 300;
 constexpr double kLeastHeight_m = 0.3, kMostHeight_m = 3, kAsShown_m = 0.29;
 constexpr const char* kScenarioKey = "motions/scenario";
 constexpr const char* kMapsFolderKey = "folders/bone_maps";
@@ -73,10 +73,10 @@ MotionDialog::MotionDialog(Studio& studio, const QString& path, QWidget* parent)
       matched_(new Label({}, TextRole::kSection, Ink::kValue, true)),
       warnings_((new Label({}, TextRole::kSecondary, Ink::kWarn))->wrapped()),
       progress_(new JobProgress) {
-    keepSize(*this, kMotionDialogWidth, 0);
+    setWide(kMotionDialogWidth);
     auto* columns = addRow(content(), 20);
     columns->addWidget(makePicture(), 1);
-    auto* facts = makeFacts();
+    auto* facts = new ScrollArea(makeFacts());
     keepSize(*facts, kFactsWidth, 0);
     columns->addWidget(facts);
     content()->addWidget(progress_);
@@ -87,27 +87,19 @@ MotionDialog::MotionDialog(Studio& studio, const QString& path, QWidget* parent)
 QWidget* MotionDialog::makePicture() {
     auto* side = new QWidget;
     auto* column = makeColumn(side, {}, 8);
-    keepMinimumHeight(*picture_, 380);  // as high as the fields beside it need
+    keepMinimumHeight(*picture_, 150);
     column->addWidget(picture_, 1);
     frame->setAccessibleName(tr("Frame of the motion"));
     column->addWidget(frame);
     connect(frame, &QSlider::valueChanged, this, [this](int value) { picture_->setFrame(value); });
     column->addWidget(warnings_);
     column->addWidget(kept_);
-    auto* form = new FormRows(kFactLabels);
-    scenario->addItem(tr("Ideal: no noise at all"), "ideal");
-    scenario->addItem(tr("Nominal: as in a good room"), "nominal");
-    scenario->addItem(tr("Realistic: slipping boards, soft tissue"), "realistic");
-    scenario->setCurrentIndex(
-        std::max(0, scenario->findData(studio_.settings().value(kScenarioKey, "nominal").toString())));
-    form->addRow(tr("Suit and room"), scenario);
-    column->addWidget(form);
     return side;
 }
 
 QWidget* MotionDialog::makeFacts() {
     auto* side = new QWidget;
-    auto* column = makeColumn(side, {}, 10);
+    auto* column = makeColumn(side, {0, 0, 8, 0}, 10);
     auto* form = new FormRows(kFactLabels);
     form->addRow(tr("Figure"), figure_);
     form->addRow(tr("Frames"), frames_);
@@ -134,7 +126,15 @@ QWidget* MotionDialog::makeFacts() {
     height->setSpecialValueText(tr("as the file shows"));
     form->addRow(tr("Height"), height);
     form->addControl(exchange_sides);
-    for (QWidget* field : std::initializer_list<QWidget*>{up, unit, height, exchange_sides})
+    scenario->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    scenario->setMinimumContentsLength(12);
+    scenario->addItem(tr("Ideal: no noise at all"), "ideal");
+    scenario->addItem(tr("Nominal: as in a good room"), "nominal");
+    scenario->addItem(tr("Realistic: slipping boards, soft tissue"), "realistic");
+    scenario->setCurrentIndex(
+        std::max(0, scenario->findData(studio_.settings().value(kScenarioKey, "nominal").toString())));
+    form->addRow(tr("Suit and room"), scenario);
+    for (QWidget* field : std::initializer_list<QWidget*>{up, unit, height, exchange_sides, scenario})
         keepMinimumHeight(*field, 30);
     keepMinimumHeight(*form, kFactsHeight);  // a wrapped label's height is not asked for in time
     column->addWidget(form);
@@ -144,7 +144,8 @@ QWidget* MotionDialog::makeFacts() {
     head->addWidget(save_bones);
     auto* area = new QWidget;
     rows_column_ = makeColumn(area);
-    column->addWidget(area, 1);
+    column->addWidget(area);
+    column->addStretch(1);
 
     const auto corrected = [this] {
         if (fills_)
@@ -238,7 +239,7 @@ void MotionDialog::makeRows() {
     for (const BvhJoint& joint : file_.document->joints)
         names.append(QString::fromStdString(joint.name));
     rows_ = new QWidget;
-    auto* grid = makeGrid(rows_, {0, 0, 8, 0}, 6);
+    auto* grid = makeGrid(rows_, {}, 6);
     int line = 0;
     for (const std::string& joint : canonicalJointNames()) {
         auto* label = new Label(segmentName(joint), TextRole::kBody, Ink::kLabel);
@@ -254,10 +255,8 @@ void MotionDialog::makeRows() {
                 [this, joint](int index) { takeBone(joint, index); });
     }
     grid->setColumnStretch(0, 1);
-    auto* area = new ScrollArea(rows_);
-    keepMinimumHeight(*area, 150);
-    rows_column_->addWidget(area);
-    fitHeight();
+    rows_column_->addWidget(rows_);
+    rows_->show();  // at once, not with the next event: the dialog's height counts it
 }
 
 /// Which of the file's joints plays one of ours; -1: none.

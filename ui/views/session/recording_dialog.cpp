@@ -22,8 +22,8 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kRecordingDialogWidth = 1000, kFoundWidth = 310, kFoundLabels = 100, kSegmentWidth = 150,
-              kSensorsHeight = 330;
+constexpr int kRecordingDialogWidth = 1000, kFoundWidth = 328, kFoundLabels = 100, kSegmentWidth = 150,
+              kSensorsHeight = 120;
 constexpr double kAsFileSays_hz = 0, kMostRate_hz = 10000;
 
 QString wordsOf(const std::vector<std::string>& sentences) {
@@ -68,15 +68,15 @@ RecordingDialog::RecordingDialog(SharedContext& shared, const QStringList& paths
       say_columns(makeButton(ButtonKind::kOutlined, tr("Say what the columns are"))),
       shared_(shared),
       format_((new Label)->wrapped()),
-      sensors_(new Label),
-      gaps_(new Label),
-      reference_(new Label),
+      sensors_((new Label)->wrapped()),
+      gaps_((new Label)->wrapped()),
+      reference_((new Label)->wrapped()),
       notes_((new Label({}, TextRole::kSecondary, Ink::kHint))->wrapped()),
       warnings_((new Label({}, TextRole::kSecondary, Ink::kWarn))->wrapped()),
       open_((new Label({}, TextRole::kSecondary, Ink::kWarn))->wrapped()),
       progress_(new JobProgress) {
     request_.paths = paths;
-    keepSize(*this, kRecordingDialogWidth, 0);
+    setWide(kRecordingDialogWidth);
     makeFields();
     content()->addWidget(progress_);
     connect(progress_, &JobProgress::ended, this, &RecordingDialog::refresh);
@@ -89,14 +89,14 @@ RecordingDialog::RecordingDialog(SharedContext& shared, const QStringList& paths
 }
 
 void RecordingDialog::makeFields() {
-    auto* columns = addRow(content(), 20);
+    auto* columns = addRow(content(), 16);
     auto* left = new QWidget;
     auto* table = makeColumn(left, {}, 8);
-    auto* head = addRow(table, 8);
-    head->addWidget(new Label(tr("Sensors"), TextRole::kSection, Ink::kValue, true), 1);
-    head->addWidget(by_movement);
-    head->addWidget(choose_map);
-    head->addWidget(say_columns);
+    table->addWidget(new Label(tr("Sensors"), TextRole::kSection, Ink::kValue, true));
+    auto* buttons = addRow(table, 8);
+    for (QWidget* button : {by_movement, choose_map, say_columns})
+        buttons->addWidget(button);
+    buttons->addStretch();
     auto* area = new QWidget;
     rows_column_ = makeColumn(area);
     keepMinimumHeight(*area, kSensorsHeight);
@@ -104,7 +104,7 @@ void RecordingDialog::makeFields() {
     columns->addWidget(left, 1);
 
     auto* right = new QWidget;
-    auto* facts = makeColumn(right, {}, 8);
+    auto* facts = makeColumn(right, {0, 0, 8, 0}, 8);
     facts->addWidget(new Label(tr("What was found"), TextRole::kSection, Ink::kValue, true));
     auto* form = new FormRows(kFoundLabels);
     form->addRow(tr("Format"), format_);
@@ -124,6 +124,8 @@ void RecordingDialog::makeFields() {
                                      {tr("Noctule's: Y is up"), "noctule"}})
         world->addItem(text, QString(name));
     form->addRow(tr("World axes"), world);
+    world->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    world->setMinimumContentsLength(12);
     for (QWidget* field : std::initializer_list<QWidget*>{rate, world})
         keepMinimumHeight(*field, 30);
     facts->addWidget(form);
@@ -131,8 +133,9 @@ void RecordingDialog::makeFields() {
     facts->addWidget(warnings_);
     facts->addWidget(notes_);
     facts->addStretch(1);
-    keepSize(*right, kFoundWidth, 0);
-    columns->addWidget(right);
+    auto* found = new ScrollArea(right);
+    keepMaximumWidth(*found, kFoundWidth);
+    columns->addWidget(found);
 }
 
 bool RecordingDialog::isBusy() const {
@@ -212,6 +215,7 @@ void RecordingDialog::makeSensorRows() {
     auto* area = new ScrollArea(rows);
     rows_ = area;
     rows_column_->addWidget(area);
+    area->show();  // at once, not with the next event: the dialog's height counts it
 }
 
 void RecordingDialog::addSensorRow(size_t sensor, QWidget* rows) {
@@ -237,7 +241,7 @@ void RecordingDialog::addSensorRow(size_t sensor, QWidget* rows) {
     grid->addWidget(new Label(found.missing == 0 ? tr("none") : percentText(share, 1), TextRole::kBody,
                               share > 0.01 ? Ink::kWarn : Ink::kValue),
                     line, 4);
-    grid->addWidget(new Label(quantitiesText(found), TextRole::kSecondary, Ink::kHint), line, 5);
+    grid->addWidget((new Label(quantitiesText(found), TextRole::kSecondary, Ink::kHint))->wrapped(), line, 5);
     connect(segment, qOverload<int>(&QComboBox::currentIndexChanged), this, [this, sensor, segment] {
         putOnSegment(sensor, segment->currentData().toString().toStdString());
     });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/main_window/window_place.h"
+#include "ui/views/window_place.h"
 
 #include <QGuiApplication>
 #include <QScreen>
@@ -11,7 +11,7 @@ namespace noctule::ui {
 
 namespace {
 /// A window has no frame before it is shown; title bars of desktops are 24 to 38 px high, side frames 0 to 5.
-constexpr int kTitleBar = 38;
+constexpr int kTitleBar = 38, kAboveDialog = 40;
 }  // namespace
 
 WindowPlace placeWithin(const QRect& wanted, const QRect& available) {
@@ -32,6 +32,24 @@ QRect freeRoom(const QWidget& window) {
     if (!screen)
         screen = QGuiApplication::primaryScreen();
     return screen->availableGeometry();
+}
+
+QSize roomOf(const QWidget& dialog) {
+    const QWidget* first = &dialog;  // a dialog may belong to another one
+    while (first->parentWidget())
+        first = first->parentWidget()->window();
+    QSize room = freeRoom(dialog).size();
+    if (first != &dialog && first->isVisible())
+        room = room.boundedTo(first->size());
+    return room - QSize(0, kAboveDialog);
+}
+
+void placeDialog(QWidget& dialog, const QSize& wanted) {
+    const QRect place =
+        placeWithin({dialog.pos(), wanted.boundedTo(roomOf(dialog))}, freeRoom(dialog)).content;
+    dialog.resize(place.size());
+    if (const QWindow* shown = dialog.windowHandle(); shown && shown->isVisible())
+        dialog.move(place.topLeft());
 }
 
 }  // namespace noctule::ui
