@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Installs on Debian 12 what a part of the work needs; quick when all of it is there.
-#   packaging/dependencies.sh [jobs|package|all]    jobs: building `noctule --batch` and the demo; package: building the
-#   package too; all (default): tests, benchmarks and checks too
+#   packaging/dependencies.sh [jobs|package|all|examples]    jobs: building `noctule --batch` and the demo; package: building
+#   the package too; all (default): tests, benchmarks and checks too; examples: R, Octave and zsh alone, which some tests
+#   leave out without them (300 MB)
 # The comments name what CMakeLists.txt asks for; tests/architecture.py compares the two.
 set -euo pipefail
 
@@ -54,6 +55,11 @@ tests_need=(
     libtrajectory-msgs-dev # trajectory_msgs
     python3-rosmaster python3-rostopic python3-sensor-msgs # a master, and programs of ROS that hear us
 )
+examples_need=(
+    r-base-core r-cran-rsqlite r-cran-jsonlite # resources/docs/examples/read_take.R
+    octave               # resources/docs/examples/read_positions.m
+    zsh                  # reads its completion
+)
 
 fail() {
     echo "dependencies: $1" >&2
@@ -64,7 +70,8 @@ case "${1:-all}" in
     jobs) packages=("${jobs_need[@]}") ;;
     package) packages=("${jobs_need[@]}" "${package_needs[@]}") ;;
     all) packages=("${jobs_need[@]}" "${package_needs[@]}" "${tests_need[@]}") ;;
-    *) fail "usage: packaging/dependencies.sh [jobs|package|all]" ;;
+    examples) packages=("${examples_need[@]}") ;;
+    *) fail "usage: packaging/dependencies.sh [jobs|package|all|examples]" ;;
 esac
 
 installed=$(dpkg-query -W -f='${db:Status-Status} ${Package}\n' "${packages[@]}" 2>/dev/null) || true

@@ -1,16 +1,17 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # The slow checks, which .ci/run leaves out. Any of the names, or all:
-#   packaging/nightly.sh [debug|asan|tsan|gcc|jobs|tidy|odr|package|busy]...
+#   packaging/nightly.sh [debug|asan|tsan|gcc|jobs|tidy|odr|package|busy|examples]...
 # debug: Eigen's assertions, matrices begin as NaN. asan: address and undefined over core and devices. tsan: the threads
 # of devices and jobs. gcc: all tests with the other compiler. jobs: the smallest build, which says what it lacks.
 # tidy: clang-tidy on what differs from the main branch (NOCTULE_BASE). odr: one definition in the whole program, seen at
 # link time. package: packaging/test_package.sh. busy: all tests beside four loops that take the processors.
+# examples: what reads takes in R and Octave, and completion for zsh; both are installed for it.
 # What was run, with its result and time, ends in out/nightly/YYYY-MM-DD.md.
 set -uo pipefail
 cd "$(dirname "$0")/.."
 
-all=(debug asan tsan gcc jobs tidy odr package busy)
+all=(debug asan tsan gcc jobs tidy odr package busy examples)
 chosen=("${@:-all}")
 [ "${chosen[0]}" != all ] || chosen=("${all[@]}")
 jobs=$(nproc)
@@ -84,6 +85,12 @@ run_busy() {
     local result=$?
     kill "${loops[@]}"
     return $result
+}
+# What is skipped without R, Octave or zsh has to run here.
+run_examples() {
+    packaging/dependencies.sh examples && python3 tests/examples.py && packaging/configure.sh release &&
+        cmake --build --preset release --parallel "$jobs" --target noctule noctule-write-help noctule-virtual-suit noctule-virtual-robot &&
+        python3 tests/help_files.py build/release/bin/{noctule-write-help,noctule,}
 }
 
 packaging/dependencies.sh all || exit 1

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Runs the examples of resources/docs/examples on a small take and compares what they print with its rows. An
-interpreter or a package of it that is missing is named and skipped."""
+"""Runs the examples of resources/docs/examples on a small take and compares what they print with its rows. Ends with 77, and with
+the reason last, when an interpreter or a package of it is missing: CTest calls the test skipped then."""
 import json
 import pathlib
 import shutil
@@ -15,6 +15,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 EXAMPLES = ROOT / "resources/docs/examples"
 TINY = ROOT / "tests/data/takes/tiny_take.noctule"
 JOINT = "LeftForeArm"
+SKIPPED = 77  # tests/CMakeLists.txt names it to CTest
 
 
 def take_with_poses(path):
@@ -65,20 +66,24 @@ def main():
         take = take_with_poses(path)
         expected = expected_rows(take)
         compare("Python", printed_rows([sys.executable, EXAMPLES / "read_take.py", path, JOINT]), expected)
+        missing = []
         if not (program := shutil.which("Rscript")):
-            print("R: skipped, Rscript is not installed")
+            missing.append("R: Rscript is not installed")
         elif not has_r_packages(program):
-            print("R: skipped, its packages RSQLite and jsonlite are not installed")
+            missing.append("R: its packages RSQLite and jsonlite are not installed")
         else:
             compare("R", printed_rows([program, EXAMPLES / "read_take.R", path, JOINT]), expected)
         if not (program := shutil.which("octave-cli") or shutil.which("octave")):
-            print("Octave: skipped, it is not installed")
+            missing.append("Octave: it is not installed")
         else:
             table = pathlib.Path(folder) / "positions.csv"
             lines = [f"{row[0]:.6f},0,0,0," + ",".join(f"{value:.6f}" for value in row[1:4]) for row in expected]
             table.write_text("\n".join([f"time_s,Hips.x,Hips.y,Hips.z,{JOINT}.x,{JOINT}.y,{JOINT}.z", *lines]) + "\n")
             compare("Octave", printed_rows([program, EXAMPLES / "read_positions.m", table, JOINT]),
                     [row[:4] for row in expected])
+    if missing:
+        print(f"examples.py: Skipped\nexamples in part: {'; '.join(missing)} (packaging/dependencies.sh examples)")
+        sys.exit(SKIPPED)
 
 
 if __name__ == "__main__":

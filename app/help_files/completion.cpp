@@ -177,7 +177,7 @@ _noctule_of_verb() {
 }
 
 _noctule() {
-    local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} verb=${COMP_WORDS[2]}
+    local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} verb=${COMP_WORDS[2]-}
     if [ "$COMP_CWORD" -gt 1 ] && [ "${COMP_WORDS[1]}" = --batch ]; then
         if [ "$COMP_CWORD" -eq 2 ]; then
             _noctule_words "$_noctule_verbs --help" "$word"

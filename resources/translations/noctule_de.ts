@@ -7918,6 +7918,14 @@ Median; gut: unter %1</translation>
         <translation>Als PDF</translation>
     </message>
     <message>
+        <source>Joints as CSV</source>
+        <translation>Gelenke als CSV</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
         <source>Find</source>
         <comment>in the report</comment>
         <translation>Suchen</translation>

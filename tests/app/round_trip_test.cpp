@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // simulate, process, evaluate, export, attach, inspect: one after the other, and the numbers that come out.
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
+#include <sstream>
 
 #include "core/formats/bvh.h"
 #include "core/formats/opensim.h"
@@ -86,6 +90,70 @@ TEST_F(RoundTrip, EvaluateForPeopleAndAsAReport) {
     for (const char* word : {"free", "given", "Right shoulder"})
         EXPECT_NE(html.find(word), std::string::npos) << word;
     EXPECT_TRUE(batch({"evaluate", take(), "--quiet"}).out.empty());
+}
+
+TEST_F(RoundTrip, TheTableOfJointsSaysWhatTheJsonSays) {
+    const auto json = jsonOf({"evaluate", take(), "--run", "given", "--csv", file("joints.csv")});
+    EXPECT_EQ(json["csv"], file("joints.csv"));
+    const auto cells = [](const std::string& line) {
+        std::vector<std::string> all(1);
+        for (const char c : line)
+            c == ',' ? static_cast<void>(all.emplace_back()) : all.back().push_back(c);
+        return all;
+    };
+    std::istringstream csv(readBytes(file("joints.csv")));
+    std::string line;
+    std::getline(csv, line);
+    const std::vector<std::string> header = cells(line);
+    std::map<std::string, int> rows_of_run;
+    std::map<std::string, std::map<std::string, std::string>> given;  // by joint, then column
+    while (std::getline(csv, line)) {
+        const std::vector<std::string> row = cells(line);
+        ASSERT_EQ(row.size(), header.size()) << line;
+        std::map<std::string, std::string> named;
+        for (size_t i = 0; i < row.size(); ++i)
+            named[header[i]] = row[i];
+        EXPECT_EQ(named["take"], "hops_001");
+        ++rows_of_run[named["run"]];
+        if (named["run"] == "given")
+            given[named["joint"]] = named;
+    }
+    const auto joints = static_cast<int>(json["joints"].size());
+    EXPECT_EQ(rows_of_run, (std::map<std::string, int>{{"free", joints}, {"given", joints}}));
+    for (const auto& joint : json["joints"])
+        for (const char* column : {"mean_deg", "median_deg", "std_deg", "rms_deg", "p95_deg", "max_deg",
+                                   "drift_deg_per_min", "position_mm", "nees"}) {
+            const std::string& cell = given[joint["name"]][column];
+            EXPECT_EQ(cell, joint[column].is_null() ? "" : joint[column].dump()) << joint["name"] << column;
+        }
+    expectRefusal({"evaluate", take(), "--csv", file("joints.csv")}, 2, {"joints.csv", "--overwrite"});
+}
+
+/// The command as a shell takes it, with the name of another result put last.
+TEST_F(RoundTrip, TheReportsCommandMakesTheSamePoses) {
+    const std::string copy = copyOfTake("made_again.noctule");
+    ASSERT_EQ(batch({"evaluate", copy, "--run", "given", "--report", file("command.html")}).exit_code, 0);
+    const std::string html = readBytes(file("command.html")), label = "Made again by</dt><dd>";
+    std::vector<std::string> commands;
+    for (size_t at = html.find(label); at != std::string::npos; at = html.find(label, at + 1))
+        commands.push_back(html.substr(at + label.size(), html.find("</dd>", at) - at - label.size()));
+    const auto found = std::ranges::find_if(
+        commands, [](const auto& one) { return one.find("--run-name given") != std::string::npos; });
+    ASSERT_NE(found, commands.end()) << commands.size() << " commands";
+    ASSERT_EQ(found->rfind("noctule --batch process made_again.noctule ", 0), 0U) << *found;
+    EXPECT_EQ(found->find_first_of("'&\"\\"), std::string::npos) << "words need no shell: " << *found;
+    std::istringstream text(found->substr(found->find("process")));
+    std::vector<std::string> words{std::istream_iterator<std::string>(text), {}};
+    words[1] = copy;  // the report names it without its folder
+    words.back() = "again";
+    ASSERT_EQ(batch(words).exit_code, 0) << *found;
+    for (const std::string run : {"given", "again"})
+        ASSERT_EQ(
+            batch({"export", copy, "--run", run, "--csv", file(run + "_poses.csv"), "--angles"}).exit_code,
+            0);
+    const std::string given = readBytes(file("given_poses.csv"));
+    EXPECT_GT(given.size(), 10'000U);
+    EXPECT_EQ(given, readBytes(file("again_poses.csv")));
 }
 
 TEST_F(RoundTrip, AWrongRunIsNamedWithTheOnesThereAre) {

@@ -37,7 +37,7 @@ struct Job::Shared : ProgressSink {
     std::string stage_now;
 };
 
-Job::Job(QString title, QObject* parent)
+Job::Job(JobTitle title, QObject* parent)
     : QObject(parent), title_(std::move(title)), shared_(std::make_shared<Shared>()) {
     clock_.start();
 }
@@ -118,7 +118,7 @@ Error Jobs::brokenPromise(std::exception_ptr thrown) {
             tr("Nothing was changed. Report it together with the take").toStdString()};
 }
 
-Job* Jobs::startUntyped(const QString& title, std::function<void(const JobContext&)> work,
+Job* Jobs::startUntyped(const JobTitle& title, std::function<void(const JobContext&)> work,
                         std::function<void(Job*, const End&)> tell, Loudness loudness) {
     auto* job = new Job(title, this);
     job->quiet_ = loudness == Loudness::kQuiet;

@@ -7,6 +7,7 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <QString>
+#include <QStringList>
 #include <QThreadPool>
 #include <QTimer>
 #include <exception>
@@ -20,12 +21,27 @@
 
 namespace noctule::ui {
 
+/// Words for the panel, and the names in them that users gave (takes, sessions, files): the log leaves those
+/// out.
+struct JobTitle {
+    JobTitle(const char* text) : text(text) {}
+    JobTitle(QString text) : text(std::move(text)) {}
+    /// `pattern` has %1, and %2 for a second name.
+    JobTitle(const QString& pattern, const QString& name) : text(pattern.arg(name)), names{name} {}
+    JobTitle(const QString& pattern, const QString& name, const QString& second)
+        : text(pattern.arg(name, second)), names{name, second} {}
+
+    QString text;
+    QStringList names;
+};
+
 class Job : public QObject {
     Q_OBJECT
 public:
     enum class State { kRunning, kDone, kFailed, kCancelled };
 
-    const QString& title() const { return title_; }
+    const QString& title() const { return title_.text; }
+    const QStringList& namesInTitle() const { return title_.names; }
     State state() const { return state_; }
     double fraction() const { return fraction_; }
     const QString& stage() const { return stage_; }
@@ -47,11 +63,12 @@ signals:
 private:
     friend class Jobs;
     struct Shared;
-    Job(QString title, QObject* parent);
+    Job(JobTitle title, QObject* parent);
     bool poll();  ///< true: something changed
     void end(const Status& status, const QString& outcome);
 
-    QString title_, stage_, outcome_;
+    JobTitle title_;
+    QString stage_, outcome_;
     State state_ = State::kRunning;
     double fraction_ = 0;
     std::optional<Error> error_;
@@ -75,7 +92,7 @@ public:
     /// `done` gets the value on success and errors alike, also a mistake that `work` threw; returns words for
     /// the panel (empty: none).
     template <class T>
-    Job* start(const QString& title, std::function<Result<T>(const JobContext&)> work,
+    Job* start(const JobTitle& title, std::function<Result<T>(const JobContext&)> work,
                std::function<QString(Result<T>)> done, Loudness loudness = Loudness::kNormal) {
         auto slot = std::make_shared<std::optional<Result<T>>>();
         return startUntyped(
@@ -106,7 +123,7 @@ signals:
 
 private:
     using End = std::function<void(Job*, const Status&, const QString&)>;
-    Job* startUntyped(const QString& title, std::function<void(const JobContext&)> work,
+    Job* startUntyped(const JobTitle& title, std::function<void(const JobContext&)> work,
                       std::function<void(Job*, const End&)> finish, Loudness loudness);
     static Error brokenPromise(std::exception_ptr thrown);
     void show(Job* job);

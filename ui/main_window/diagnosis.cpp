@@ -2,15 +2,16 @@
 #include "ui/main_window/diagnosis.h"
 
 #include <QDateTime>
+#include <QDir>
 #include <QGuiApplication>
 #include <QLocale>
-#include <QRegularExpression>
 #include <QScreen>
 #include <QSysInfo>
 #include <QThread>
-#include <algorithm>
 
 #include "ui/main_window/licences.h"
+#include "ui/models/personal_data.h"
+#include "ui/views/session/recent_sessions.h"
 
 namespace noctule::ui {
 namespace {
@@ -44,7 +45,7 @@ QStringList settingsOf(const QSettings& settings) {
         const QVariant value = settings.value(key);
         const bool is_text = value.type() != QVariant::ByteArray && value.canConvert<QString>();
         if (is_text && !key.contains("recent", Qt::CaseInsensitive) && !key.startsWith("layout/"))
-            lines += key + " = " + value.toString();
+            lines += key + " = " + (QDir::isAbsolutePath(value.toString()) ? "[path]" : value.toString());
     }
     return lines;
 }
@@ -71,43 +72,17 @@ QStringList healthOf(Studio& studio) {
     return lines;
 }
 
-/// Names that the user gave.
-QStringList namesOf(Studio& studio) {
+/// Of the open session and of all that the studio remembers: the log may tell of any of them.
+QStringList knownNames(Studio& studio) {
     QStringList names;
-    if (!studio.session().isOpen())
-        return names;
-    const auto& session = studio.session().session();
-    names += QString::fromStdString(session.folder.filename().string());
-    for (const auto& performer : session.performers)
-        names += QString::fromStdString(performer.name);
-    for (const auto& take : session.takes)
-        names += QString::fromStdString(take.name);
+    if (studio.session().isOpen())
+        names = namesOf(studio.session().session());
+    for (const QString& folder : RecentSessions::foldersIn(studio.settings()))
+        names += namesInFolder(folder);
     return names;
 }
 
 }  // namespace
-
-QString withoutPersonalData(QString text, const QStringList& names) {
-    static const QRegularExpression path(R"((?:[A-Za-z]:)?(?:/[^/\s:,;|"'<>()=]+){2,})");
-    int from = 0;
-    for (auto match = path.match(text); match.hasMatch(); match = path.match(text, from)) {
-        const QString last = match.captured().section('/', -1);
-        const int dot = last.lastIndexOf('.');
-        const QString placed = "[path]/*" + (dot > 0 ? last.mid(dot) : QString());
-        text.replace(match.capturedStart(), match.capturedLength(), placed);
-        from = match.capturedStart() + placed.size();
-    }
-    const QString user = qEnvironmentVariable("USER");
-    if (user.size() > 1)
-        text.replace(QRegularExpression("\\b" + QRegularExpression::escape(user) + "\\b"), "[user]");
-    QStringList longest_first = names;
-    std::sort(longest_first.begin(), longest_first.end(),
-              [](const QString& a, const QString& b) { return a.size() > b.size(); });
-    for (const QString& name : longest_first)
-        if (name.size() > 1)
-            text.replace(QRegularExpression("\\b" + QRegularExpression::escape(name) + "\\b"), "[name]");
-    return text;
-}
 
 QString diagnosisText(Studio& studio, const LogFile& log) {
     const QString time = QDateTime::currentDateTimeUtc().toString(Qt::ISODate);
@@ -115,7 +90,7 @@ QString diagnosisText(Studio& studio, const LogFile& log) {
         section("settings", settingsOf(studio.settings())) +
         section("log, newest last", log.newest(kLog_bytes).split('\n', Qt::SkipEmptyParts));
     return section("Noctule's diagnosis, " + time, versions(studio)) + section("suit", healthOf(studio)) +
-           withoutPersonalData(personal, namesOf(studio));
+           withoutPersonalData(personal, knownNames(studio));
 }
 
 }  // namespace noctule::ui

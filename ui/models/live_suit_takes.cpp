@@ -184,7 +184,7 @@ QString LiveSuit::keepEvidence(const EvidencePlan& plan) {
     working_ = true;
     setPhase(Phase::kSaving);
     jobs_.start<StreamResult>(
-        tr("Keeping %1").arg(plan.base_name),
+        {tr("Keeping %1"), plan.base_name},
         [live = live_, request = requestOf(plan), placement = plan.placement.toStdString(),
          seen = plan.seen_sample, rest_s = plan.rest_s](const JobContext& job) -> Result<StreamResult> {
             if (!live->status()->stream_is_open)
@@ -259,7 +259,7 @@ void LiveSuit::endTake() {
     const bool unasked = !live_->status()->stream_is_open || live_->recording()->ended;
     setPhase(Phase::kSaving);
     jobs_.start<StreamResult>(
-        tr("Saving %1").arg(take_name_),
+        {tr("Saving %1"), take_name_},
         [live = live_](const JobContext& job) -> Result<StreamResult> { return endStream(*live, job); },
         [self = QPointer(this), connection = connection_, unasked](Result<StreamResult> result) -> QString {
             if (!self || self->connection_ != connection)

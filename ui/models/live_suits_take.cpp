@@ -152,7 +152,7 @@ void LiveSuits::endTake() {
         worn->suit.followTake(Phase::kSaving, take_name_);
     emit changed();
     jobs_.start<GroupReport>(
-        tr("Saving %1").arg(take_name_),
+        {tr("Saving %1"), take_name_},
         [group = group_](const JobContext& job) -> Result<GroupReport> { return endTogether(*group, job); },
         [self = QPointer(this), unasked](Result<GroupReport> report) -> QString {
             if (self && report)

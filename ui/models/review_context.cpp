@@ -61,7 +61,7 @@ void ReviewContext::openLoose(const QString& path) {
     emit shared_.settled(About::kFile);
     const int asked = ++asked_;
     shared_.jobs().start<Done>(
-        TakeDocument::tr("Opening %1").arg(QFileInfo(path).fileName()),
+        {TakeDocument::tr("Opening %1"), QFileInfo(path).fileName()},
         [path](const JobContext&) -> Status {
             const auto take = Take::open(path.toStdString());
             return take ? Status(Done{}) : Status(take.error());
@@ -103,7 +103,7 @@ void ReviewContext::saveReadable(const QString& path) {
         Recovery losses;
     };
     shared_.jobs().start<Saved>(
-        SessionModel::tr("Recovering %1").arg(name),
+        {SessionModel::tr("Recovering %1"), name},
         [path, name](const JobContext& job) -> Result<Saved> {
             const std::filesystem::path folder = QFileInfo(path).absolutePath().toStdString();
             const std::string copy = nextTakePath(folder, name.toStdString() + "_recovered").string();

@@ -101,17 +101,17 @@ bool SessionModel::makeSure() {
 
 void SessionModel::open(const QString& folder, const QString& take) {
     saveNow();  // it may be the same one
-    openWith(tr("Opening session %1").arg(QDir(folder).dirName()), folder, take,
+    openWith({tr("Opening session %1"), QDir(folder).dirName()}, folder, take,
              [folder = pathOf(folder)](const JobContext& job) { return openSession(folder, job); });
 }
 
 void SessionModel::rebuild(const QString& folder) {
     openWith(
-        tr("Rebuilding session %1").arg(QDir(folder).dirName()), folder, {},
+        {tr("Rebuilding session %1"), QDir(folder).dirName()}, folder, {},
         [folder = pathOf(folder)](const JobContext& job) { return rebuildSession(folder, nowUtc(), job); });
 }
 
-void SessionModel::openWith(const QString& title, const QString& folder, const QString& take,
+void SessionModel::openWith(const JobTitle& title, const QString& folder, const QString& take,
                             std::function<Result<Session>(const JobContext&)> work) {
     emit triedAnew();
     if (opening_)
@@ -310,7 +310,7 @@ void SessionModel::recover(int take) {
         return;
     emit triedAnew();
     emit recoveryChanged(take);
-    const QString title = tr("Recovering %1").arg(QString::fromStdString(name));
+    const JobTitle title{tr("Recovering %1"), QString::fromStdString(name)};
     struct Recovered {
         Session session;
         Recovery losses;

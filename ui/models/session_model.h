@@ -144,7 +144,7 @@ private:
     void push(const QString& what, Step redo, Step undo, const QString& merge_key = {});
     bool apply(const Step& step);
     void adopt(Session session, const QString& take);
-    void openWith(const QString& title, const QString& folder, const QString& take,
+    void openWith(const JobTitle& title, const QString& folder, const QString& take,
                   std::function<Result<Session>(const JobContext&)> work);
     void leave();
     void announce();

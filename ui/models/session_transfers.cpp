@@ -76,7 +76,7 @@ void SessionModel::transferTake(int take, const QString& folder, Transfer how) {
     // Held by one only, so that it ends before the take itself moves.
     const auto kept = std::make_shared<std::shared_ptr<void>>(keepInPlace(takePath(take)));
     jobs_.start<TakeTransfer>(
-        (moves ? tr("Moving %1 to %2") : tr("Copying %1 to %2")).arg(shownAs(name), nameOfSession(folder)),
+        {moves ? tr("Moving %1 to %2") : tr("Copying %1 to %2"), shownAs(name), nameOfSession(folder)},
         [from = *session_, name, to = std::filesystem::path(QDir::cleanPath(folder).toStdString()),
          how](const JobContext& job) { return prepared(from, name, to, how, job); },
         [model = QPointer(this), name, moves, home = session_->folder,

@@ -74,7 +74,7 @@ Job* ShownBody::read(const SessionBody& body, QObject* context, std::function<vo
     const QString name = QFileInfo(QString::fromStdString(path)).fileName();
     const QDateTime written = QFileInfo(QString::fromStdString(path)).lastModified();
     return jobs_.start<ReadBody>(
-        tr("Reading %1").arg(name),
+        {tr("Reading %1"), name},
         [path, choices = body.choices,
          known = known_path_ == path && known_written_ == written ? known_ : nullptr](const JobContext& job) {
             return readBodyFrom(path, choices, known, job);

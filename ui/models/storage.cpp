@@ -42,7 +42,7 @@ void StorageWatch::look() {
         return;
     looked_at_ = folder;
     looking_ = jobs_.start<qint64>(
-        tr("Room on %1").arg(folder),
+        {tr("Room on %1"), folder},
         [folder](const JobContext&) -> Result<qint64> { return freeBytesAt(folder); },
         [self = QPointer(this), folder](Result<qint64> free_bytes) -> QString {
             if (self && free_bytes && self->looked_at_ == folder) {

@@ -98,7 +98,7 @@ Job* Studio::importMotion(std::shared_ptr<const figure::UnderstoodMotion> motion
         return make(*motion, scenario, path, job);
     };
     return jobs().start<std::string>(
-        tr("Importing %1").arg(words(motion->clip.name)),
+        {tr("Importing %1"), words(motion->clip.name)},
         [request, session = session().session()](const JobContext& job) {
             return makeSimulatedTake(request, session, job);
         },
@@ -167,7 +167,7 @@ Job* Studio::startProcessing(const std::string& take_path,
     const QString path = words(take_path);
     const QString take = QFileInfo(path).completeBaseName();
     Job* job = jobs().start<ProcessSummary>(
-        tr("Processing %1").arg(take),
+        {tr("Processing %1"), take},
         [settings = std::move(settings), software = parts().software, created_utc = parts().utc_now(),
          turns = processing_](const JobContext& job) -> Result<ProcessSummary> {
             std::unique_lock turn(*turns, std::defer_lock);

@@ -25,14 +25,15 @@ Status write(const std::string& path, const TakeChange& change, const JobContext
     return changeContacts(path, std::get<ContactsChange>(change), job);
 }
 
-QString titleOf(const TakeChange& change, const QString& take) {
+JobTitle titleOf(const TakeChange& change, const QString& take) {
     if (std::holds_alternative<MarkerChange>(change))
-        return TakeChanges::tr("Writing a marker into %1").arg(take);
+        return {TakeChanges::tr("Writing a marker into %1"), take};
     if (std::holds_alternative<RoomChange>(change))
-        return TakeChanges::tr("Writing the places of anchors into %1").arg(take);
-    return std::holds_alternative<AttachedChange>(change)
-               ? TakeChanges::tr("Writing the attached motion into %1").arg(take)
-               : TakeChanges::tr("Writing contacts into %1").arg(take);
+        return {TakeChanges::tr("Writing the places of anchors into %1"), take};
+    return {std::holds_alternative<AttachedChange>(change)
+                ? TakeChanges::tr("Writing the attached motion into %1")
+                : TakeChanges::tr("Writing contacts into %1"),
+            take};
 }
 
 }  // namespace

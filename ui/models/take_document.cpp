@@ -130,7 +130,7 @@ void TakeDocument::loadOverview(const TakeView& view, bool show_newest) {
         overview_job_->cancel();
     const uint64_t ticket = overview_ticket_ = ++ticket_;
     overview_job_ = jobs_.start<TakeOverview>(
-        tr("Opening %1").arg(path_.section('/', -1)),
+        {tr("Opening %1"), path_.section('/', -1)},
         [view](const JobContext& job) { return overviewTake(view, job); },
         [document = QPointer(this), ticket, show_newest](Result<TakeOverview> overview) -> QString {
             if (!document || document->overview_ticket_ != ticket)

@@ -93,7 +93,7 @@ void RoomRun::survey() {
     request.take_path = path_.toStdString();
     request.created_utc = studio_.parts().utc_now();
     job_ = studio_.jobs().start<SurveyedTake>(
-        tr("Surveying the room of %1").arg(takeName()),
+        {tr("Surveying the room of %1"), takeName()},
         [request](const JobContext& job) { return calibrateRoom(request, job); },
         [self = QPointer(this), path = path_,
          kept = studio_.session().keepInPlace(path_)](Result<SurveyedTake> result) -> QString {

@@ -435,12 +435,15 @@ TEST_F(ReviewPageTest, KeysHeldWithOthersAreNotThoseOfTheMenu) {
 
 TEST_F(ReviewPageTest, FullReportOpensInsideTheWindow) {
     page_->openFullReport();
-    EXPECT_TRUE(page_->showsFullReport());
-    ReportBrowser& report = page_->reportView().page();
-    ASSERT_TRUE(waitFor([&] { return report.toPlainText().contains("Sensors and runs"); }));
-    EXPECT_GT(report.figureCount(), 10U);
-    EXPECT_TRUE(report.savePdf(outsideFile("report.pdf")));
-    QTest::keyClick(&page_->reportView(), Qt::Key_Escape);
+    ReportView& view = page_->reportView();
+    ASSERT_TRUE(page_->showsFullReport() && waitFor([&] { return view.page().figureCount() > 10; }));
+    EXPECT_TRUE(view.page().toPlainText().contains("Sensors and runs"));
+    EXPECT_TRUE(view.page().savePdf(outsideFile("report.pdf")));
+    QFile joints(outsideFile("joints.csv"));
+    view.saveJoints(joints.fileName());
+    ASSERT_TRUE(waitFor([&] { return joints.open(QFile::ReadOnly); }));
+    EXPECT_EQ(joints.readAll().count(",LeftForeArm,"), studio_->take().runs().size()) << "one of each result";
+    QTest::keyClick(&view, Qt::Key_Escape);
     EXPECT_FALSE(page_->showsFullReport());
 }
 

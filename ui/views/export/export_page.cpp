@@ -261,7 +261,7 @@ void ExportPage::tryOneFrame() {
     const ExportRequest& first = jobs->front().request;
     const double time_s = cursorIn(first).value_or(first.from_s.value_or(0));
     start(
-        tr("Writing one frame of %1").arg(jobs->front().take), askedBy(jobs),
+        {tr("Writing one frame of %1"), jobs->front().take}, askedBy(jobs),
         [job = jobs->front(), time_s](const JobContext& context) {
             return ui::tryOneFrame(job, time_s, context);
         },
@@ -274,7 +274,7 @@ std::optional<double> ExportPage::cursorIn(const ExportRequest& request) const {
     return is_open ? std::optional(review_.time().time()) : std::nullopt;
 }
 
-void ExportPage::start(const QString& title, const Asked& asked,
+void ExportPage::start(const JobTitle& title, const Asked& asked,
                        std::function<Result<ExportResults>(const JobContext&)> work, bool is_trial) {
     Job* job = review_.shared().jobs().start<ExportResults>(
         title, std::move(work), [self = QPointer(this), is_trial](Result<ExportResults> results) -> QString {

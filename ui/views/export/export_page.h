@@ -62,7 +62,7 @@ private:
         std::vector<std::filesystem::file_time_type> changed;  ///< the takes' files
         bool operator==(const Asked&) const = default;
     };
-    void start(const QString& title, const Asked& asked,
+    void start(const JobTitle& title, const Asked& asked,
                std::function<Result<ExportResults>(const JobContext&)> work, bool is_trial);
     void present(const Result<ExportResults>& results, bool is_trial);
     void noteDamage(const ExportResults& results);

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "core/job/atomic_file.h"
+#include "core/report/joints_csv.h"
 #include "ui/language/core_words.h"
 #include "ui/style/words.h"
 #include "ui/views/open_take.h"
@@ -68,6 +69,10 @@ QWidget* ReportView::makeHead() {
     auto* formats = new QMenu(save_);
     formats->addAction(tr("As HTML"), this, &ReportView::saveHtml);
     formats->addAction(tr("As PDF"), this, &ReportView::savePdf);
+    formats->addAction(tr("Joints as CSV"), this, [this] {
+        saveJoints(QFileDialog::getSaveFileName(this, tr("Save the report"), openTakeName(review_) + ".csv",
+                                                tr("Tables (*.csv)")));
+    });
     connect(save_, &QPushButton::clicked, this,
             [this, formats] { formats->exec(save_->mapToGlobal(QPoint(0, save_->height()))); });
     row->addWidget(back);
@@ -119,12 +124,20 @@ void ReportView::refresh() {
 void ReportView::saveHtml() {
     const QString path = QFileDialog::getSaveFileName(
         this, tr("Save the report"), openTakeName(review_) + ".html", tr("Web pages (*.html)"));
+    save(path, [](const ReportData& data) { return coreMarkup(htmlReport(data)); });
+}
+
+void ReportView::saveJoints(const QString& path) {
+    save(path, [](const ReportData& data) { return jointsCsv({{data.take.performer, data}}); });
+}
+
+void ReportView::save(const QString& path, std::function<std::string(const ReportData&)> written) {
     if (path.isEmpty() || !report_.data())
         return;
     review_.shared().jobs().start<Done>(
-        tr("Saving %1").arg(QFileInfo(path).fileName()),
-        [data = report_.data(), path](const JobContext&) -> Status {
-            return writeFileAtomically(path.toStdString(), coreMarkup(htmlReport(*data)), true);
+        {tr("Saving %1"), QFileInfo(path).fileName()},
+        [data = report_.data(), path, written = std::move(written)](const JobContext&) -> Status {
+            return writeFileAtomically(path.toStdString(), written(*data), true);
         },
         [path](Status saved) { return saved ? tr("%1 is written.").arg(path) : QString(); });
 }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The full report of the open take inside the window: parts at the left, text, tables and drawings to scroll,
-// zoom, search and copy, and saving as HTML or PDF.
+// zoom, search and copy, and saving as HTML or PDF; its table of joints as CSV.
 #pragma once
 
 #include <QTextBrowser>
 #include <QTimer>
+#include <functional>
 #include <memory>
+#include <string>
 
 #include "ui/models/review_context.h"
 #include "ui/views/report/full_report.h"
@@ -60,6 +62,8 @@ public:
 
     ReportBrowser& page() { return *page_; }
     void enter();  ///< makes the report when it is not there yet
+    /// The table that `evaluate --csv` writes.
+    void saveJoints(const QString& path);
 
 signals:
     void closed();
@@ -71,6 +75,8 @@ private:
     QWidget* makeHead();
     void refresh();
     void saveHtml();
+    /// A job writes what `written` makes of the report; nothing when `path` is empty.
+    void save(const QString& path, std::function<std::string(const ReportData&)> written);
     void savePdf();
     void find(const QString& text);
 

@@ -196,7 +196,7 @@ void ReferencePanel::attach(const AttachChoice& choice) {
                   take = openTakeName(review_);
     SessionModel& session = review_.shared().session();
     Job* job = review_.shared().jobs().start<Attached>(
-        tr("Attaching %1 to %2").arg(file, take),
+        {tr("Attaching %1 to %2"), file, take},
         [path = take_path.toStdString(), choice](const JobContext& context) {
             return attachTo(path, choice, context);
         },

@@ -171,7 +171,7 @@ QWidget* MotionDialog::makeFacts() {
 void MotionDialog::read() {
     const std::string path = path_.toStdString();
     job_ = studio_.jobs().start<MotionFile>(
-        tr("Reading %1").arg(QFileInfo(path_).fileName()),
+        {tr("Reading %1"), QFileInfo(path_).fileName()},
         [path](const JobContext& job) { return readMotionFile(path, {}, job); },
         [self = QPointer(this)](Result<MotionFile> file) -> QString {
             if (!self)
@@ -205,7 +205,7 @@ void MotionDialog::understand() {
         return;
     }
     job_ = studio_.jobs().start<MotionFile>(
-        tr("Understanding %1").arg(QFileInfo(path_).fileName()),
+        {tr("Understanding %1"), QFileInfo(path_).fileName()},
         [file = file_, hints = hints_](const JobContext&) -> Result<MotionFile> {
             return understoodAnew(file, hints);
         },

@@ -102,6 +102,18 @@ RecentSessions::RecentSessions(QSettings& settings, Jobs& jobs, QObject* parent)
     settings_.endArray();
 }
 
+QStringList RecentSessions::foldersIn(QSettings& settings) {
+    QStringList folders;
+    const int count = settings.beginReadArray(kRecentGroup);
+    for (int i = 0; i < count; ++i) {
+        settings.setArrayIndex(i);
+        folders += settings.value("folder").toString();
+    }
+    settings.endArray();
+    folders.removeAll({});
+    return folders;
+}
+
 void RecentSessions::remember(const QString& folder, const QDateTime& now) {
     RecentSession session;
     session.folder = QDir::cleanPath(folder);

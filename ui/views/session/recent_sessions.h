@@ -46,6 +46,8 @@ public:
     RecentSessions(QSettings& settings, Jobs& jobs, QObject* parent = nullptr);
 
     static constexpr int kMost = 20;
+    /// Newest first, without looking at them.
+    static QStringList foldersIn(QSettings& settings);
 
     const std::vector<RecentSession>& all() const { return sessions_; }
     /// Puts a folder to the top.

@@ -161,7 +161,7 @@ void RecordingDialog::read() {
     }
     recording_.reset();
     job_ = shared_.jobs().start<ImportedRecording>(
-        tr("Reading %1").arg(QFileInfo(request_.paths.value(0)).fileName()),
+        {tr("Reading %1"), QFileInfo(request_.paths.value(0)).fileName()},
         [request = request_](const JobContext& job) { return readRecording(request, job); },
         [self = QPointer(this)](Result<ImportedRecording> recording) -> QString {
             if (self)
@@ -379,7 +379,7 @@ void RecordingDialog::keep() {
     const RecordingToKeep request{recording_, shared->parts().software, shared->parts().utc_now()};
     emit shared->settled(About::kFile);
     shared->jobs().start<RecordingTake>(
-        tr("Importing %1").arg(QString::fromStdString(recording_->name)),
+        {tr("Importing %1"), QString::fromStdString(recording_->name)},
         [request, session = shared->session().session()](const JobContext& job) {
             return keepRecording(request, session, job);
         },

@@ -63,7 +63,7 @@ void takePicture(SharedContext& shared, const QString& take_path, const QSize& s
         return done(picture);
     shared.whenBodyIsThere(&shared, [&shared, take_path, size_px, cached, done = std::move(done)] {
         shared.jobs().start<QImage>(
-            SharedContext::tr("Picture of %1").arg(QFileInfo(take_path).completeBaseName()),
+            {SharedContext::tr("Picture of %1"), QFileInfo(take_path).completeBaseName()},
             [body = shared.body(), path = take_path.toStdString(), size_px, cached](const JobContext& job) {
                 return paintTake(body, path, size_px, cached, job);
             },
