@@ -4268,6 +4268,54 @@
         <translation>Seit dem Anlegen nicht kontrolliert.</translation>
     </message>
     <message>
+        <source>Source offsets</source>
+        <translation>Quellenversatz</translation>
+    </message>
+    <message>
+        <source>Accelerometers</source>
+        <translation>Beschleunigungssensoren</translation>
+    </message>
+    <message>
+        <source>Gyroscopes</source>
+        <translation>Gyroskope</translation>
+    </message>
+    <message>
+        <source>Magnetometers</source>
+        <translation>Magnetometer</translation>
+    </message>
+    <message>
+        <source>Rest pose</source>
+        <translation>Ruhehaltung</translation>
+    </message>
+    <message>
+        <source>Movement</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>Part of the calibration is not usable.</source>
+        <translation>Ein Teil der Kalibrierung ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>The rest pose is old.</source>
+        <translation>Die Ruhehaltung ist alt.</translation>
+    </message>
+    <message>
+        <source>Part of the calibration is due again.</source>
+        <translation>Ein Teil der Kalibrierung ist wieder fällig.</translation>
+    </message>
+    <message>
+        <source>Recording, with a calibration that is not usable</source>
+        <translation>Nimmt auf, mit einer nicht brauchbaren Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Recording, with an old rest pose</source>
+        <translation>Nimmt auf, mit einer alten Ruhehaltung</translation>
+    </message>
+    <message>
+        <source>Recording, with an old calibration</source>
+        <translation>Nimmt auf, mit einer alten Kalibrierung</translation>
+    </message>
+    <message>
         <source>Recording, without calibration</source>
         <translation>Nimmt auf, ohne Kalibrierung</translation>
     </message>
@@ -6671,6 +6719,36 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Not checked since it was put on</source>
         <translation>Seit dem Anlegen nicht kontrolliert</translation>
+    </message>
+    <message>
+        <source>%1: the calibration is not usable</source>
+        <translation>%1: die Kalibrierung ist nicht brauchbar</translation>
+    </message>
+    <message>
+        <source>It was saved all the same. Takes made with it are less exact than they could be, or wrong. Calibrate again.</source>
+        <translation>Sie wurde trotzdem gespeichert. Aufnahmen damit sind ungenauer als möglich oder falsch. Neu kalibrieren.</translation>
+    </message>
+    <message>
+        <source>The rest pose is %1 old</source>
+        <comment>an age</comment>
+        <translation>Die Ruhehaltung ist %1 alt</translation>
+    </message>
+    <message>
+        <source>The suit was probably put on anew since, and its boards sit otherwise. Calibrate the rest pose again, or check the suit if nobody took it off.</source>
+        <translation>Der Anzug wurde seither wohl neu angelegt, und seine Platinen sitzen anders. Die Ruhehaltung neu kalibrieren oder den Anzug kontrollieren, wenn ihn niemand ausgezogen hat.</translation>
+    </message>
+    <message>
+        <source>%1: the calibration is %2 old</source>
+        <comment>an age</comment>
+        <translation>%1: die Kalibrierung ist %2 alt</translation>
+    </message>
+    <message>
+        <source>Offsets of sources hold for a year. Takes can be recorded all the same; calibrate when there is time.</source>
+        <translation>Der Versatz der Quellen gilt ein Jahr. Aufnehmen ist trotzdem möglich; kalibrieren, wenn Zeit ist.</translation>
+    </message>
+    <message>
+        <source>Values of sensors hold for three months. Takes can be recorded all the same; calibrate when there is time.</source>
+        <translation>Werte der Sensoren gelten drei Monate. Aufnehmen ist trotzdem möglich; kalibrieren, wenn Zeit ist.</translation>
     </message>
     <message>
         <source>Hold still for three seconds: the check says whether boards sit in their places, slipped or were exchanged. Was the suit taken off since, calibrate the rest pose again.</source>

@@ -23,7 +23,7 @@ constexpr size_t kMostCards = 3;
 
 bool isSameProblem(const ReadinessProblem& a, const ReadinessProblem& b) {
     return a.kind == b.kind && a.board == b.board && a.source == b.source && a.accepted == b.accepted &&
-           a.alike.size() == b.alike.size();
+           a.alike.size() == b.alike.size() && a.step == b.step;
 }
 
 Tone worst(const Readiness& readiness, bool of_boards) {
