@@ -2672,22 +2672,6 @@
         <translation>%1 ist geschrieben.</translation>
     </message>
     <message>
-        <source>Newer values of this suit are there</source>
-        <translation>Es gibt neuere Werte dieses Anzugs</translation>
-    </message>
-    <message>
-        <source>Another session calibrated its sensors or sources, %1. The rest pose of this session stays.</source>
-        <translation>Eine andere Sitzung hat seine Sensoren oder Quellen kalibriert, %1. Die Ruhehaltung dieser Sitzung bleibt.</translation>
-    </message>
-    <message>
-        <source>Use them</source>
-        <translation>Verwenden</translation>
-    </message>
-    <message>
-        <source>The newer values are not in use</source>
-        <translation>Die neueren Werte sind nicht in Gebrauch</translation>
-    </message>
-    <message>
         <source>Nothing moves live and nothing can be processed before the suit is calibrated. Begin with the source offsets, or import its calibration.</source>
         <translation>Live bewegt sich nichts und nichts kann verarbeitet werden, bevor der Anzug kalibriert ist. Mit dem Quellenversatz beginnen oder seine Kalibrierung importieren.</translation>
     </message>
@@ -5543,6 +5527,25 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Name the performer</source>
         <translation>Darsteller benennen</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::NewerValues</name>
+    <message>
+        <source>Newer values of this suit are there</source>
+        <translation>Es gibt neuere Werte dieses Anzugs</translation>
+    </message>
+    <message>
+        <source>Another session calibrated its sensors or sources, %1. The rest pose of this session stays.</source>
+        <translation>Eine andere Sitzung hat seine Sensoren oder Quellen kalibriert, %1. Die Ruhehaltung dieser Sitzung bleibt.</translation>
+    </message>
+    <message>
+        <source>Use them</source>
+        <translation>Verwenden</translation>
+    </message>
+    <message>
+        <source>The newer values are not in use</source>
+        <translation>Die neueren Werte sind nicht in Gebrauch</translation>
     </message>
 </context>
 <context>
