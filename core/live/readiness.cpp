@@ -136,12 +136,36 @@ void ReadinessJudge::judgeFit(const ReadinessFacts& facts, Readiness& readiness)
     readiness.is_room = facts.is_room;
     if (!facts.lack.isNone())
         addProblem(readiness, ProblemKind::kNotCalibrated, false);
-    else if (facts.is_room)
+    judgeSteps(facts, readiness);
+    if (facts.lack.isNone() && !facts.is_room)
+        judgeWearing(facts, readiness);
+}
+
+void ReadinessJudge::judgeSteps(const ReadinessFacts& facts, Readiness& readiness) const {
+    for (const CalibrationStepState& state : facts.steps) {
+        const bool is_old = state.isOld() && !isOfWearing(state.step);
+        if (!state.isNotUsable() && !is_old)
+            continue;
+        const bool is_unusable = state.isNotUsable();
+        addProblem(readiness, is_unusable ? ProblemKind::kStepNotUsable : ProblemKind::kStepOld, false,
+                   is_unusable ? 0 : state.age_h);
+        readiness.problems.back().step = state.step;
+    }
+}
+
+/// A rest pose that is not usable tells nothing of where boards sit: its own card is enough.
+void ReadinessJudge::judgeWearing(const ReadinessFacts& facts, Readiness& readiness) const {
+    const auto rest_pose =
+        std::ranges::find(facts.steps, CalibrationStep::kRestPose, &CalibrationStepState::step);
+    const bool is_stated = rest_pose != facts.steps.end();
+    if (facts.fit == SuitFit::kChecked || (is_stated && rest_pose->isNotUsable()))
         return;
-    else if (facts.fit == SuitFit::kMoved)
-        addProblem(readiness, ProblemKind::kMoved, false);
-    else if (facts.fit == SuitFit::kUnchecked)
-        addProblem(readiness, ProblemKind::kNotChecked, false, facts.rest_pose_age_h);
+    if (facts.fit == SuitFit::kMoved)
+        return addProblem(readiness, ProblemKind::kMoved, false);
+    if (!is_stated || !rest_pose->isOld())
+        return addProblem(readiness, ProblemKind::kNotChecked, false);
+    addProblem(readiness, ProblemKind::kRestPoseOld, false, rest_pose->age_h);
+    readiness.problems.back().step = CalibrationStep::kRestPose;
 }
 
 double ReadinessJudge::secondsSince(int64_t sample) const {
@@ -225,7 +249,8 @@ void ReadinessJudge::judgeSupplies(const ReadinessFacts& facts, Readiness& readi
 
 bool Readiness::isFit() const {
     return std::ranges::none_of(problems, [](const ReadinessProblem& problem) {
-        return problem.kind == ProblemKind::kNotCalibrated || problem.kind == ProblemKind::kMoved ||
+        return problem.kind == ProblemKind::kNotCalibrated || problem.kind == ProblemKind::kStepNotUsable ||
+               problem.kind == ProblemKind::kMoved || problem.kind == ProblemKind::kRestPoseOld ||
                problem.kind == ProblemKind::kNotChecked;
     });
 }

@@ -10,6 +10,7 @@
 
 #include "core/live/health.h"
 #include "core/suit/calibration_lack.h"
+#include "core/suit/calibration_steps.h"
 
 namespace noctule {
 
@@ -22,6 +23,7 @@ enum class ProblemKind {
     kBatteryEmpty,      ///< the box stops in about a minute
     kStorageShort,      ///< seconds
     kNotCalibrated,     ///< see Readiness::lack
+    kStepNotUsable,     ///< a step of the calibration was saved all the same
     kMoved,             ///< the last check found that something sits otherwise than calibrated
     kSourceSilent,      ///< no board has heard it for seconds
     kBoardLosesFrames,  ///< frames a second
@@ -30,7 +32,9 @@ enum class ProblemKind {
     kBatteryLow,        ///< percent
     kSourceFaint,       ///< good pairs
     kNotAssigned,       ///< nobody has said which board sits where
-    kNotChecked,  ///< calibrated, but not since the suit was put on; hours since the rest pose, -1 unknown
+    kRestPoseOld,       ///< hours; not checked since, and nobody wears a suit for so long
+    kNotChecked,        ///< calibrated, but not since the suit was put on
+    kStepOld,           ///< hours; a step of the calibration is due again
 };
 
 struct ReadinessProblem {
@@ -41,6 +45,7 @@ struct ReadinessProblem {
     bool accepted = false;  ///< the operator goes on without it
     std::vector<int>
         alike{};  ///< boards, or sources, that suffer the same at once: one cause; board is -1 then
+    std::optional<CalibrationStep> step{};  ///< of the calibration, that it is about
 
     bool operator==(const ReadinessProblem&) const = default;
 };
@@ -81,9 +86,9 @@ struct ReadinessFacts {
     bool is_room = false;                ///< anchors: they need not hear each other, and nobody wears them
     std::vector<bool> board_is_plugged;  ///< as the box says; empty: it does not
     std::optional<double> storage_left_s;
-    CalibrationLack lack{};  ///< of the calibration in force
+    CalibrationLack lack{};                   ///< of the calibration in force
+    std::vector<CalibrationStepState> steps;  ///< of it, with their age
     SuitFit fit = SuitFit::kChecked;
-    double rest_pose_age_h = -1;                    ///< negative: not known
     std::set<int> without_boards, without_sources;  ///< accepted by the operator
 };
 
@@ -104,7 +109,8 @@ struct Readiness {
     CalibrationLack lack{};
     bool is_room = false;  ///< as in ReadinessFacts
 
-    /// Calibrated, and checked since it was put on: only then may a screen say "Ready" or "Recording well".
+    /// Calibrated well enough, and checked since it was put on: only then may a screen say "Ready" or
+    /// "Recording well".
     bool isFit() const;
 };
 
@@ -119,6 +125,8 @@ private:
     void remember(const HealthReport& health);
     void forgive();
     void judgeFit(const ReadinessFacts& facts, Readiness& readiness) const;
+    void judgeSteps(const ReadinessFacts& facts, Readiness& readiness) const;
+    void judgeWearing(const ReadinessFacts& facts, Readiness& readiness) const;
     void judgePairs(const HealthReport& health, Readiness& readiness) const;
     void judgeBoards(const ReadinessFacts& facts, Readiness& readiness) const;
     void judgeBoard(const ReadinessFacts& facts, int board, Readiness& readiness) const;

@@ -2672,22 +2672,6 @@
         <translation>%1 ist geschrieben.</translation>
     </message>
     <message>
-        <source>Newer values of this suit are there</source>
-        <translation>Es gibt neuere Werte dieses Anzugs</translation>
-    </message>
-    <message>
-        <source>Another session calibrated its sensors or sources, %1. The rest pose of this session stays.</source>
-        <translation>Eine andere Sitzung hat seine Sensoren oder Quellen kalibriert, %1. Die Ruhehaltung dieser Sitzung bleibt.</translation>
-    </message>
-    <message>
-        <source>Use them</source>
-        <translation>Verwenden</translation>
-    </message>
-    <message>
-        <source>The newer values are not in use</source>
-        <translation>Die neueren Werte sind nicht in Gebrauch</translation>
-    </message>
-    <message>
         <source>Nothing moves live and nothing can be processed before the suit is calibrated. Begin with the source offsets, or import its calibration.</source>
         <translation>Live bewegt sich nichts und nichts kann verarbeitet werden, bevor der Anzug kalibriert ist. Mit dem Quellenversatz beginnen oder seine Kalibrierung importieren.</translation>
     </message>
@@ -4268,6 +4252,54 @@
         <translation>Seit dem Anlegen nicht kontrolliert.</translation>
     </message>
     <message>
+        <source>Source offsets</source>
+        <translation>Quellenversatz</translation>
+    </message>
+    <message>
+        <source>Accelerometers</source>
+        <translation>Beschleunigungssensoren</translation>
+    </message>
+    <message>
+        <source>Gyroscopes</source>
+        <translation>Gyroskope</translation>
+    </message>
+    <message>
+        <source>Magnetometers</source>
+        <translation>Magnetometer</translation>
+    </message>
+    <message>
+        <source>Rest pose</source>
+        <translation>Ruhehaltung</translation>
+    </message>
+    <message>
+        <source>Movement</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>Part of the calibration is not usable.</source>
+        <translation>Ein Teil der Kalibrierung ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>The rest pose is old.</source>
+        <translation>Die Ruhehaltung ist alt.</translation>
+    </message>
+    <message>
+        <source>Part of the calibration is due again.</source>
+        <translation>Ein Teil der Kalibrierung ist wieder fällig.</translation>
+    </message>
+    <message>
+        <source>Recording, with a calibration that is not usable</source>
+        <translation>Nimmt auf, mit einer nicht brauchbaren Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Recording, with an old rest pose</source>
+        <translation>Nimmt auf, mit einer alten Ruhehaltung</translation>
+    </message>
+    <message>
+        <source>Recording, with an old calibration</source>
+        <translation>Nimmt auf, mit einer alten Kalibrierung</translation>
+    </message>
+    <message>
         <source>Recording, without calibration</source>
         <translation>Nimmt auf, ohne Kalibrierung</translation>
     </message>
@@ -5485,6 +5517,25 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
 </context>
 <context>
+    <name>noctule::ui::NewerValues</name>
+    <message>
+        <source>Newer values of this suit are there</source>
+        <translation>Es gibt neuere Werte dieses Anzugs</translation>
+    </message>
+    <message>
+        <source>Another session calibrated its sensors or sources, %1. The rest pose of this session stays.</source>
+        <translation>Eine andere Sitzung hat seine Sensoren oder Quellen kalibriert, %1. Die Ruhehaltung dieser Sitzung bleibt.</translation>
+    </message>
+    <message>
+        <source>Use them</source>
+        <translation>Verwenden</translation>
+    </message>
+    <message>
+        <source>The newer values are not in use</source>
+        <translation>Die neueren Werte sind nicht in Gebrauch</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::NewsDialog</name>
     <message>
         <source>What is new</source>
@@ -6662,6 +6713,36 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Not checked since it was put on</source>
         <translation>Seit dem Anlegen nicht kontrolliert</translation>
+    </message>
+    <message>
+        <source>%1: the calibration is not usable</source>
+        <translation>%1: die Kalibrierung ist nicht brauchbar</translation>
+    </message>
+    <message>
+        <source>It was saved all the same. Takes made with it are less exact than they could be, or wrong. Calibrate again.</source>
+        <translation>Sie wurde trotzdem gespeichert. Aufnahmen damit sind ungenauer als möglich oder falsch. Neu kalibrieren.</translation>
+    </message>
+    <message>
+        <source>The rest pose is %1 old</source>
+        <comment>an age</comment>
+        <translation>Die Ruhehaltung ist %1 alt</translation>
+    </message>
+    <message>
+        <source>The suit was probably put on anew since, and its boards sit otherwise. Calibrate the rest pose again, or check the suit if nobody took it off.</source>
+        <translation>Der Anzug wurde seither wohl neu angelegt, und seine Platinen sitzen anders. Die Ruhehaltung neu kalibrieren oder den Anzug kontrollieren, wenn ihn niemand ausgezogen hat.</translation>
+    </message>
+    <message>
+        <source>%1: the calibration is %2 old</source>
+        <comment>an age</comment>
+        <translation>%1: die Kalibrierung ist %2 alt</translation>
+    </message>
+    <message>
+        <source>Offsets of sources hold for a year. Takes can be recorded all the same; calibrate when there is time.</source>
+        <translation>Der Versatz der Quellen gilt ein Jahr. Aufnehmen ist trotzdem möglich; kalibrieren, wenn Zeit ist.</translation>
+    </message>
+    <message>
+        <source>Values of sensors hold for three months. Takes can be recorded all the same; calibrate when there is time.</source>
+        <translation>Werte der Sensoren gelten drei Monate. Aufnehmen ist trotzdem möglich; kalibrieren, wenn Zeit ist.</translation>
     </message>
     <message>
         <source>Hold still for three seconds: the check says whether boards sit in their places, slipped or were exchanged. Was the suit taken off since, calibrate the rest pose again.</source>

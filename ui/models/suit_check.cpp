@@ -79,24 +79,30 @@ void SuitCheck::judge() {
 void SuitCheck::addFit(ReadinessFacts& facts) const {
     const auto& calibration = suit_.calibration();
     facts.lack = lackOf(suit_.suit(), calibration.value_or(Calibration{}));
+    // Its places and values are those of the simulation: no check could find anything.
     if (suit_.isKnownExactly())
-        facts.fit = SuitFit::kChecked;
-    else
-        facts.fit = !checked_ ? SuitFit::kUnchecked : *checked_ ? SuitFit::kChecked : SuitFit::kMoved;
-    if (const QDateTime made = restPoseMade(); made.isValid())
-        facts.rest_pose_age_h = static_cast<double>(made.secsTo(QDateTime::currentDateTime())) / 3600;
+        return;
+    facts.fit = !checked_ ? SuitFit::kUnchecked : *checked_ ? SuitFit::kChecked : SuitFit::kMoved;
+    for (const CalibrationStep step : kCalibrationSteps)
+        if (calibration && (!facts.is_room || step == CalibrationStep::kSources))
+            facts.steps.push_back(agedStep(step, suit_.suit(), *calibration, QDateTime::currentDateTime()));
+}
+
+QDateTime madeAt(const CalibrationStepState& state) {
+    return QDateTime::fromString(QString::fromStdString(state.oldest_utc), Qt::ISODate);
+}
+
+CalibrationStepState agedStep(CalibrationStep step, const Suit& suit, const Calibration& calibration,
+                              const QDateTime& now) {
+    CalibrationStepState state = stateOfStep(step, suit, calibration);
+    if (const QDateTime made = madeAt(state); made.isValid())
+        state.age_h = static_cast<double>(made.secsTo(now)) / 3600;
+    return state;
 }
 
 QDateTime SuitCheck::restPoseMade() const {
-    QDateTime newest;
-    if (const auto& calibration = suit_.calibration())
-        for (const BoardCalibration& board : calibration->boards)
-            if (const auto made = board.made.find("rest-pose"); made != board.made.end()) {
-                const auto when =
-                    QDateTime::fromString(QString::fromStdString(made->second.created_utc), Qt::ISODate);
-                newest = !newest.isValid() || when > newest ? when : newest;
-            }
-    return newest;
+    return madeAt(
+        stateOfStep(CalibrationStep::kRestPose, suit_.suit(), suit_.calibration().value_or(Calibration{})));
 }
 
 void SuitCheck::setChecked(std::optional<bool> is_good) {

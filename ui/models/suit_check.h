@@ -18,6 +18,12 @@
 
 namespace noctule::ui {
 
+/// Of the oldest of its parts; invalid: not known.
+QDateTime madeAt(const CalibrationStepState& state);
+/// With its age.
+CalibrationStepState agedStep(CalibrationStep step, const Suit& suit, const Calibration& calibration,
+                              const QDateTime& now);
+
 class SuitCheck : public QObject {
     Q_OBJECT
 public:

@@ -51,6 +51,24 @@ QString lackWords(const CalibrationLack& lack) {
     return FitText::tr("%1 and %2", "a list and its last part").arg(words.join(FitText::tr(", ")), last);
 }
 
+QString stepName(CalibrationStep step) {
+    switch (step) {
+        case CalibrationStep::kSources:
+            return FitText::tr("Source offsets");
+        case CalibrationStep::kAccelerometers:
+            return FitText::tr("Accelerometers");
+        case CalibrationStep::kGyroscopes:
+            return FitText::tr("Gyroscopes");
+        case CalibrationStep::kMagnetometers:
+            return FitText::tr("Magnetometers");
+        case CalibrationStep::kRestPose:
+            return FitText::tr("Rest pose");
+        case CalibrationStep::kMovement:
+            break;
+    }
+    return FitText::tr("Movement");
+}
+
 QString takeLackSentence(const CalibrationLack& lack) {
     if (lack.isNone())
         return {};
@@ -81,10 +99,16 @@ QString fitSentence(const Readiness& readiness) {
                    ? FitText::tr("Without calibration of %1: the body cannot move yet.").arg(lackWords(lack))
                    : FitText::tr("Without calibration of %1.").arg(lackWords(lack));
     }
+    if (has(readiness, ProblemKind::kStepNotUsable))
+        return FitText::tr("Part of the calibration is not usable.");
     if (has(readiness, ProblemKind::kMoved))
         return FitText::tr("The check found that something has moved.");
+    if (has(readiness, ProblemKind::kRestPoseOld))
+        return FitText::tr("The rest pose is old.");
     if (has(readiness, ProblemKind::kNotChecked))
         return FitText::tr("Not checked since it was put on.");
+    if (has(readiness, ProblemKind::kStepOld))
+        return FitText::tr("Part of the calibration is due again.");
     return {};
 }
 
@@ -93,10 +117,16 @@ QString recordingWords(const Readiness& readiness) {
         return readiness.lack.isTotal()
                    ? FitText::tr("Recording, without calibration")
                    : FitText::tr("Recording, without calibration of %1").arg(lackWords(readiness.lack));
+    if (has(readiness, ProblemKind::kStepNotUsable))
+        return FitText::tr("Recording, with a calibration that is not usable");
     if (has(readiness, ProblemKind::kMoved))
         return FitText::tr("Recording, though something has moved");
+    if (has(readiness, ProblemKind::kRestPoseOld))
+        return FitText::tr("Recording, with an old rest pose");
     if (has(readiness, ProblemKind::kNotChecked))
         return FitText::tr("Recording, not checked");
+    if (has(readiness, ProblemKind::kStepOld))
+        return FitText::tr("Recording, with an old calibration");
     return FitText::tr("Recording well");
 }
 

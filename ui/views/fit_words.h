@@ -11,12 +11,15 @@ namespace noctule::ui {
 
 /// "the gyroscopes of 3 boards and the rest pose"; empty: nothing is missing.
 QString lackWords(const CalibrationLack& lack);
+/// "Gyroscopes"
+QString stepName(CalibrationStep step);
 /// "This take has no calibration. Process it with one."; empty: nothing is missing.
 QString takeLackSentence(const CalibrationLack& lack);
 /// Why a check against the calibration would say nothing; empty: it can be made.
 QString whyNotCheck(const CalibrationLack& lack);
 
-/// Of a suit that is connected and not fit: "Not calibrated: the body cannot move yet."
+/// Of a suit that is connected: "Not calibrated: the body cannot move yet." Empty: it is fit, and nothing is
+/// due again.
 QString fitSentence(const Readiness& readiness);
 /// "Recording, without calibration of the gyroscopes"
 QString recordingWords(const Readiness& readiness);

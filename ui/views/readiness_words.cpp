@@ -151,50 +151,6 @@ HindranceWords aboutSupplies(const ReadinessProblem& problem, const SuitCheck& c
     }
 }
 
-HindranceWords aboutFit(const ReadinessProblem& problem, const SuitCheck& check) {
-    const CalibrationLack& lack = check.readiness().lack;
-    const bool is_room = check.readiness().is_room;
-    if (problem.kind == ProblemKind::kNotCalibrated)
-        return {
-            lack.isTotal() && !is_room ? ReadinessText::tr("The suit is not calibrated")
-                                       : ReadinessText::tr("Without calibration of %1").arg(lackWords(lack)),
-            is_room ? ReadinessText::tr("Places of the anchors are found to decimetres only. Calibrate the "
-                                        "source offsets, or import the calibration of this box.")
-            : lack.stopsTheBody()
-                ? ReadinessText::tr("Takes can be recorded and processed once it is calibrated; until then "
-                                    "nobody sees whether they are good. Calibrate it, or import its "
-                                    "calibration.")
-                : ReadinessText::tr("The body moves, less exactly than it could. Calibrate what is missing."),
-            ReadinessText::tr("Calibrate"),
-            "ruler",
-            {},
-            Repair::kCalibrate};
-    const QDateTime rest_pose = check.restPoseMade();
-    const QString age = rest_pose.isValid()
-                            ? ReadinessText::tr("The rest pose is from %1.").arg(dateInside(rest_pose))
-                            : ReadinessText::tr("It is not known when the rest pose was made.");
-    const QString check_words = ReadinessText::tr("Check the suit");
-    if (problem.kind == ProblemKind::kMoved)
-        return {ReadinessText::tr("Something has moved since the calibration"),
-                age + ' ' +
-                    ReadinessText::tr("Put back what the check named and check again, or calibrate the rest "
-                                      "pose again."),
-                check_words,
-                "rest_pose",
-                {},
-                Repair::kCheck};
-    return {
-        ReadinessText::tr("Not checked since it was put on"),
-        age + ' ' +
-            ReadinessText::tr("Hold still for three seconds: the check says whether boards sit in their "
-                              "places, slipped or were exchanged. Was the suit taken off since, calibrate "
-                              "the rest pose again."),
-        check_words,
-        "rest_pose",
-        {},
-        Repair::kCheck};
-}
-
 /// Of several boards or sources at once: the cause is common to them.
 HindranceWords aboutMany(const ReadinessProblem& problem, const SuitCheck& check) {
     const int count = static_cast<int>(problem.alike.size());
@@ -261,8 +217,9 @@ HindranceWords aboutMany(const ReadinessProblem& problem, const SuitCheck& check
 }
 
 bool isOfFit(ProblemKind kind) {
-    return kind == ProblemKind::kNotCalibrated || kind == ProblemKind::kMoved ||
-           kind == ProblemKind::kNotChecked;
+    return kind == ProblemKind::kNotCalibrated || kind == ProblemKind::kStepNotUsable ||
+           kind == ProblemKind::kMoved || kind == ProblemKind::kRestPoseOld ||
+           kind == ProblemKind::kNotChecked || kind == ProblemKind::kStepOld;
 }
 
 /// What stands beside the verdict; the fit has a sentence of its own.
@@ -301,7 +258,7 @@ HindranceWords wordsOf(const ReadinessProblem& problem, const SuitCheck& check) 
     if (!problem.alike.empty())
         return aboutMany(problem, check);
     if (isOfFit(problem.kind))
-        return aboutFit(problem, check);
+        return fitHindrance(problem, check);
     if (problem.board >= 0)
         return aboutBoard(problem, check);
     return problem.source >= 0 ? aboutSource(problem, check) : aboutSupplies(problem, check);
@@ -324,11 +281,10 @@ VerdictWords verdictOf(const SuitCheck& check) {
     const QString counts = countWords(readiness);
     if (readiness.verdict == Readiness::Verdict::kNotReady)
         return {Tone::kError, ReadinessText::tr("Not ready yet"), counts};
-    QStringList sentences{whatIsHere(readiness), counts};
-    if (!readiness.isFit())
-        sentences.prepend(fitSentence(readiness));
+    const QString fit = fitSentence(readiness);
+    QStringList sentences{fit, whatIsHere(readiness), counts};
     sentences.removeAll(QString());
-    return {readiness.isFit() && counts.isEmpty() ? Tone::kOk : Tone::kWarn,
+    return {fit.isEmpty() && counts.isEmpty() ? Tone::kOk : Tone::kWarn,
             readiness.isFit() ? ReadinessText::tr("Ready") : ReadinessText::tr("Connected"),
             sentences.join(' ')};
 }
@@ -338,7 +294,7 @@ VerdictWords recordingVerdictOf(const Readiness& readiness) {
         return !problem.accepted && !isOfFit(problem.kind);
     });
     const Tone tone = readiness.verdict == Readiness::Verdict::kNotReady ? Tone::kError
-                      : beside_fit || !readiness.isFit()                 ? Tone::kWarn
+                      : beside_fit || !fitSentence(readiness).isEmpty()  ? Tone::kWarn
                                                                          : Tone::kOk;
     return {tone,
             readiness.isFit() && beside_fit ? ReadinessText::tr("Recording, with problems")

@@ -19,6 +19,8 @@ struct HindranceWords {
     Repair repair = Repair::kNone;
 };
 HindranceWords wordsOf(const ReadinessProblem& problem, const SuitCheck& check);
+/// Of those about the calibration and its check.
+HindranceWords fitHindrance(const ReadinessProblem& problem, const SuitCheck& check);
 
 struct VerdictWords {
     Tone tone = Tone::kNeutral;

@@ -304,7 +304,6 @@ void CalibratePage::refresh() {
                            "them with three seconds of standing still."));
     way_on_->setText(next_ ? tr("Prepare: %1").arg(wordsOf(*next_).title) : tr("Continue to Record"));
     export_->setDisabledBecause(in_force ? QString() : tr("There is no calibration to export."));
-    showNewer();
     showHistory();
 }
 

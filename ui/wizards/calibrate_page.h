@@ -16,7 +16,6 @@ class QVBoxLayout;
 namespace noctule::ui {
 
 class Button;
-class ProblemCard;
 class RoomPage;
 class SuitSwitch;
 class TaskCard;
@@ -55,8 +54,6 @@ public:
     Button* wayOn() { return way_on_; }
     Button* importButton() { return import_; }
     Button* exportButton() { return export_; }
-    /// Newer values of the suit that another session found; null: there are none.
-    ProblemCard* newerCard() { return newer_card_; }
     /// Asks first where the file is another suit's, and says what came of it.
     void importFile(const QString& path);
     /// Of the calibrations in the list, newest first; null for the one in force.
@@ -78,7 +75,6 @@ private:
     void followSession();
     void refresh();
     void showHistory();
-    void showNewer();
     void showOverview();
     QWidget* makeFiles();
     void chooseImport();
@@ -99,8 +95,7 @@ private:
     Button* way_on_ = nullptr;
     std::optional<WizardTask> next_;
     bool back_to_record_ = false;
-    QVBoxLayout *history_ = nullptr, *newer_ = nullptr;
-    ProblemCard* newer_card_ = nullptr;
+    QVBoxLayout* history_ = nullptr;
     Button *import_ = nullptr, *export_ = nullptr;
     std::vector<Button*> use_;
 };

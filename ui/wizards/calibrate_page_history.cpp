@@ -6,12 +6,12 @@
 #include <QVBoxLayout>
 
 #include "ui/style/words.h"
+#include "ui/views/newer_values.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/card.h"
 #include "ui/widgets/elided_label.h"
 #include "ui/widgets/label.h"
-#include "ui/widgets/problem_card.h"
 #include "ui/widgets/question.h"
 #include "ui/widgets/scroll_area.h"
 #include "ui/widgets/section_header.h"
@@ -23,9 +23,7 @@ namespace noctule::ui {
 QWidget* CalibratePage::makeHistory() {
     auto* content = new QWidget;
     auto* column = makeColumn(content, {12, 16, 12, 12}, 8);
-    auto* newer = new QWidget;
-    newer_ = makeColumn(newer);
-    column->addWidget(newer);
+    column->addWidget(new NewerValues(studio_));
     column->addWidget(new SectionHeader(tr("Of this session, newest first")));
     auto* history = new QWidget;
     history_ = makeColumn(history, {}, 8);
@@ -90,28 +88,6 @@ void CalibratePage::chooseExport() {
         emit studio_.failed(tr("The calibration was not exported"), why, About::kFile);
     else
         studio_.sayOfFile(tr("%1 is written.").arg(QFileInfo(path).fileName()));
-}
-
-void CalibratePage::showNewer() {
-    const auto& newer = studio_.calibrations().newer();
-    delete std::exchange(newer_card_, nullptr);
-    if (!newer)
-        return;
-    const QDateTime made = QDateTime::fromString(QString::fromStdString(newer->created_utc), Qt::ISODate);
-    newer_card_ = new ProblemCard(
-        Tone::kWarn, tr("Newer values of this suit are there"),
-        tr("Another session calibrated its sensors or sources, %1. The rest pose of this session stays.")
-            .arg(dateInside(made)));
-    connect(
-        newer_card_->addAction(tr("Use them")), &QPushButton::clicked, this,
-        [this] {
-            if (const QString why = studio_.calibrations().useNewer(); !why.isEmpty())
-                emit studio_.failed(tr("The newer values are not in use"), why, About::kFile);
-            else
-                emit studio_.settled(About::kFile);
-        },
-        Qt::QueuedConnection);
-    newer_->addWidget(newer_card_);
 }
 
 void CalibratePage::showHistory() {

@@ -6,25 +6,19 @@
 #include <QDateTime>
 #include <optional>
 
-#include "core/suit/calibration.h"
+#include "core/suit/calibration_steps.h"
 #include "ui/style/ink.h"
 #include "ui/wizards/wizard_task.h"
 
 namespace noctule::ui {
 
-struct TaskState {
-    int made = 0, parts = 0;
-    int unstated = 0;  ///< parts with values, but without a record of when and how good
-    QDateTime oldest;
-    QString worst;  ///< "good", "usable", "not usable"
-    bool is_old = false;
-
+struct TaskState : CalibrationStepState {
     bool isComplete() const { return parts > 0 && made + unstated == parts; }
     Tone tone() const;
     QString words() const;
 };
 
-/// `suit` may be empty: then the calibration's own parts count.
+/// Not of the check, which makes no values. `suit` may be empty: then the calibration's own parts count.
 TaskState stateOf(WizardTask task, const std::optional<Calibration>& calibration, const Suit& suit,
                   const QDateTime& now);
 

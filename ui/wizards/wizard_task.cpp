@@ -195,10 +195,29 @@ WizardWords wordsOf(WizardTask task) {
     return {};
 }
 
+std::optional<CalibrationStep> stepOf(WizardTask task) {
+    switch (task) {
+        case WizardTask::kSources:
+            return CalibrationStep::kSources;
+        case WizardTask::kAccelerometers:
+            return CalibrationStep::kAccelerometers;
+        case WizardTask::kGyroscopes:
+            return CalibrationStep::kGyroscopes;
+        case WizardTask::kMagnetometers:
+            return CalibrationStep::kMagnetometers;
+        case WizardTask::kRestPose:
+            return CalibrationStep::kRestPose;
+        case WizardTask::kMovement:
+            return CalibrationStep::kMovement;
+        case WizardTask::kCheck:
+            break;
+    }
+    return std::nullopt;
+}
+
 QString keyOf(WizardTask task) {
-    constexpr const char* kKeys[] = {"sources",   "accelerometers", "gyroscopes", "magnetometers",
-                                     "rest-pose", "motion",         "check"};
-    return kKeys[static_cast<int>(task)];
+    const auto step = stepOf(task);
+    return step ? QString(noctule::keyOf(*step)) : QStringLiteral("check");
 }
 
 QString takeKindOf(WizardTask task) {

@@ -5,7 +5,9 @@
 
 #include <QString>
 #include <QStringList>
+#include <optional>
 
+#include "core/suit/calibration_steps.h"
 #include "ui/wizards/rig_drawing.h"
 
 namespace noctule::ui {
@@ -35,6 +37,8 @@ struct WizardWords {
 };
 WizardWords wordsOf(WizardTask task);
 
+/// Whose values it finds; the check finds none.
+std::optional<CalibrationStep> stepOf(WizardTask task);
 /// As in calibrations and on the command line: "accelerometers", "rest-pose".
 QString keyOf(WizardTask task);
 /// Kind of the takes that it works on.

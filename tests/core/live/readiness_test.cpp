@@ -227,13 +227,62 @@ TEST_F(ReadinessTest, WithoutACalibrationItIsRecordableButNotFit) {
     EXPECT_EQ(only(readiness).kind, ProblemKind::kNotCalibrated) << "one cause, one card";
     EXPECT_TRUE(readiness.lack.ofMostGyroscopes());
     facts_.lack = {};
-    facts_.rest_pose_age_h = 70;
-    readiness = judge(wellAt(3));
-    EXPECT_EQ(only(readiness), (ReadinessProblem{ProblemKind::kNotChecked, false, -1, -1, 70, false}));
+    EXPECT_EQ(only(judge(wellAt(3))).kind, ProblemKind::kNotChecked);
     facts_.fit = SuitFit::kMoved;
     EXPECT_EQ(only(judge(wellAt(3))).kind, ProblemKind::kMoved);
     facts_.fit = SuitFit::kChecked;
     EXPECT_TRUE(judge(wellAt(3)).isFit());
+}
+
+CalibrationStepState stepOfAge(CalibrationStep step, double age_h, const char* worst = "good") {
+    CalibrationStepState state;
+    state.step = step;
+    state.made = state.parts = kJudgedBoards;
+    state.worst = worst;
+    state.age_h = age_h;
+    return state;
+}
+
+TEST_F(ReadinessTest, AStepThatIsNotUsableIsNoCalibration) {
+    facts_.steps = {stepOfAge(CalibrationStep::kAccelerometers, 1, "usable"),
+                    stepOfAge(CalibrationStep::kGyroscopes, 9999, "not usable")};
+    const Readiness readiness = judge(wellAt(3));
+    EXPECT_EQ(only(readiness).kind, ProblemKind::kStepNotUsable) << "its age is no second cause";
+    EXPECT_EQ(only(readiness).step, CalibrationStep::kGyroscopes);
+    EXPECT_FALSE(readiness.isFit());
+    EXPECT_EQ(readiness.verdict, Readiness::Verdict::kReady) << "it can be recorded";
+    facts_.steps = {stepOfAge(CalibrationStep::kRestPose, 1, "not usable")};
+    facts_.fit = SuitFit::kMoved;
+    EXPECT_EQ(only(judge(wellAt(3))).kind, ProblemKind::kStepNotUsable)
+        << "where boards sit cannot be told from it";
+}
+
+TEST_F(ReadinessTest, AStepThatIsDueAgainIsAWarning) {
+    constexpr double kDay_h = 24;
+    facts_.steps = {stepOfAge(CalibrationStep::kSources, 300 * kDay_h),
+                    stepOfAge(CalibrationStep::kAccelerometers, 80 * kDay_h),
+                    stepOfAge(CalibrationStep::kGyroscopes, 100 * kDay_h)};
+    const Readiness readiness = judge(wellAt(3));
+    EXPECT_EQ(only(readiness).kind, ProblemKind::kStepOld);
+    EXPECT_EQ(only(readiness).step, CalibrationStep::kGyroscopes);
+    EXPECT_EQ(only(readiness).value, 100 * kDay_h);
+    EXPECT_FALSE(only(readiness).hinders);
+    EXPECT_TRUE(readiness.isFit());
+}
+
+TEST_F(ReadinessTest, AnOldRestPoseIsOfAnEarlierWearingUntilItIsChecked) {
+    facts_.steps = {stepOfAge(CalibrationStep::kRestPose, 26), stepOfAge(CalibrationStep::kMovement, 26)};
+    facts_.fit = SuitFit::kUnchecked;
+    const Readiness readiness = judge(wellAt(3));
+    EXPECT_EQ(only(readiness).kind, ProblemKind::kRestPoseOld) << "one cause, one card";
+    EXPECT_EQ(only(readiness).value, 26);
+    EXPECT_FALSE(only(readiness).hinders);
+    EXPECT_FALSE(readiness.isFit());
+    facts_.steps[0].age_h = 3;
+    EXPECT_EQ(only(judge(wellAt(3))).kind, ProblemKind::kNotChecked);
+    facts_.steps[0].age_h = 26;
+    facts_.fit = SuitFit::kChecked;
+    EXPECT_TRUE(judge(wellAt(3)).problems.empty());
 }
 
 TEST_F(ReadinessTest, WhatBefallsMostBoardsAlikeIsOneProblem) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "ui/style/words.h"
+#include "ui/views/newer_values.h"
 #include "ui/views/number_rows.h"
 #include "ui/views/readiness_words.h"
 #include "ui/views/scaled_layout.h"
@@ -23,7 +24,7 @@ constexpr size_t kMostCards = 3;
 
 bool isSameProblem(const ReadinessProblem& a, const ReadinessProblem& b) {
     return a.kind == b.kind && a.board == b.board && a.source == b.source && a.accepted == b.accepted &&
-           a.alike.size() == b.alike.size();
+           a.alike.size() == b.alike.size() && a.step == b.step;
 }
 
 Tone worst(const Readiness& readiness, bool of_boards) {
@@ -43,6 +44,7 @@ ReadinessPanel::ReadinessPanel(CaptureContext& capture, QWidget* parent)
       verdict_(new VerdictHeader),
       problems_(new QWidget),
       problem_column_(makeColumn(problems_, {}, 8)),
+      newer_(new NewerValues(capture)),
       ways_(makeWaysWithoutSuit()),
       more_(makeButton(ButtonKind::kText, {})),
       numbers_(new NumberRows),
@@ -60,6 +62,7 @@ ReadinessPanel::ReadinessPanel(CaptureContext& capture, QWidget* parent)
     scrolled->addWidget(ways_);
     scrolled->addWidget(problems_);
     addRow(scrolled)->addWidget(more_, 0, Qt::AlignLeft);
+    scrolled->addWidget(newer_);
     auto* guest = new QWidget;
     guest_column_ = makeColumn(guest);
     scrolled->addWidget(guest);

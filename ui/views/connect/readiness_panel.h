@@ -12,6 +12,7 @@ class QVBoxLayout;
 namespace noctule::ui {
 
 class Button;
+class NewerValues;
 class NumberRows;
 class ProblemCard;
 class SuitCards;
@@ -24,6 +25,7 @@ public:
 
     const std::vector<ProblemCard*>& cards() const { return cards_; }
     Button* wayOn() { return way_on_; }
+    NewerValues& newer() { return *newer_; }
     /// Connects the box that was found; hidden when there is none.
     Button* connectButton() { return connect_; }
     QString verdictText() const { return verdict_sentences_; }
@@ -55,6 +57,7 @@ private:
     QString verdict_text_, verdict_sentences_;
     QWidget* problems_;
     QVBoxLayout *problem_column_, *guest_column_;
+    NewerValues* newer_;
     std::vector<ReadinessProblem> shown_;
     std::vector<ProblemCard*> cards_;
     std::vector<std::pair<Button*, ReadinessProblem>> blink_buttons_;

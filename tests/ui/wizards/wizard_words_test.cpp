@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// The first page of a wizard, before Begin: its headline, and what the rail shows.
+#include <QLabel>
+#include <set>
+
+#include "tests/ui/wizards/wizard_flow.h"
+
+namespace noctule::ui {
+namespace {
+
+using WizardWordsTest = test::WizardFlow;
+
+TEST_F(WizardWordsTest, TheHeadlineSaysWhatToDo) {
+    const std::set<QString> verbs{"Put", "Press", "Stand"};
+    for (const WizardTask task : kWizardTasks) {
+        page_->open(task);
+        const QString headline = wordsOf(task).headline;
+        EXPECT_TRUE(verbs.contains(headline.section(' ', 0, 0))) << headline.toStdString();
+        EXPECT_FALSE(headline.endsWith('.')) << headline.toStdString();
+        const auto labels = page_->wizard().intro().findChildren<QLabel*>();
+        EXPECT_TRUE(std::ranges::any_of(labels, [&](const QLabel* label) {
+            return label->text() == headline;
+        })) << headline.toStdString();
+        page_->closeWizard();
+    }
+}
+
+TEST_F(WizardWordsTest, WhatCountsByItselfSaysThatItDoesAfterBegin) {
+    for (const WizardTask task : {WizardTask::kRestPose, WizardTask::kCheck})
+        EXPECT_TRUE(wordsOf(task).in_any_order.startsWith("After Begin it counts by itself"))
+            << wordsOf(task).in_any_order.toStdString();
+}
+
+TEST_F(WizardWordsTest, TheRailShowsTheStepsBeforeBegin) {
+    connectRig({"--rig", "level"});
+    page_->open(WizardTask::kAccelerometers);
+    ASSERT_EQ(run().phase(), test::Phase::kIntro);
+    QStringList shown;
+    for (const RailStep* step : page_->wizard().rail()->findChildren<RailStep*>())
+        if (!step->isHidden())
+            shown << step->accessibleName();
+    EXPECT_EQ(shown.size(), 8) << "what is needed, six sides and the result: "
+                               << shown.join("; ").toStdString();
+    EXPECT_TRUE(shown.filter("Side 1").size() == 1) << shown.join("; ").toStdString();
+}
+
+}  // namespace
+}  // namespace noctule::ui
