@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/style/keys.h"
 #include "ui/style/theme.h"
 #include "ui/style/words.h"
 #include "ui/views/scaled_layout.h"
@@ -100,6 +101,7 @@ RecordBar::RecordBar(RecordRun& run, QWidget* parent) : QWidget(parent), run_(ru
     row->addWidget(makeRight(), 1);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     connect(&Theme::get(), &Theme::changed, this, &RecordBar::showChoices);
+    connect(&Keys::get(), &Keys::changed, this, &RecordBar::showChoices);
     connect(&run, &RecordRun::changed, this, &RecordBar::refresh);
     connect(&run, &RecordRun::ticked, this, [this] {
         if (run_.state() == RecordRun::State::kCountdown)
@@ -116,7 +118,11 @@ QWidget* RecordBar::makeLeft() {
     name_ = new QLineEdit;
     label->setBuddy(name_);
     name_->setAccessibleName(tr("Take name"));
-    name_->setToolTip(tr("Take name (T). Numbers count by themselves, and nothing is overwritten."));
+    followKey(*name_, "record/take_name", Qt::Key_T, [this](const QKeySequence& key) {
+        name_->setToolTip(
+            tr("Take name (%1). Numbers count by themselves, and nothing is overwritten.", "a key")
+                .arg(keysText(key)));
+    });
     keepMinimumWidth(*name_, 108);
     keepMaximumWidth(*name_, 180);
     next_ = new Label({}, TextRole::kSecondary, Ink::kHint);
@@ -160,7 +166,9 @@ QWidget* RecordBar::makeMiddle() {
     auto* column = makeColumn(words, {}, 4);
     column->addStretch();
     column->addWidget(verb_);
-    column->addWidget(new KeyHint(Qt::Key_Space), 0, Qt::AlignLeft);
+    auto* key = new KeyHint(Qt::Key_Space);
+    followKey(*key, "record/record", Qt::Key_Space, [key](const QKeySequence& keys) { key->setKeys(keys); });
+    column->addWidget(key, 0, Qt::AlignLeft);
     column->addStretch();
     keepMinimumWidth(*words, 64);
     row->addWidget(button_);
@@ -177,8 +185,8 @@ QWidget* RecordBar::makeRight() {
     auto* column = makeColumn(content, {}, 2);
     column->addStretch();
     column->addWidget(new Label(tr("While it runs"), TextRole::kCaption, Ink::kHint));
-    marker_ = keyboardFree(makeButton(ButtonKind::kOutlined, tr("Marker"), "marker", Qt::Key_M));
-    note_button_ = keyboardFree(makeButton(ButtonKind::kOutlined, tr("Note"), "note", Qt::Key_N));
+    marker_ = keyboardFree(makeButton(ButtonKind::kOutlined, tr("Marker"), "marker"));
+    note_button_ = keyboardFree(makeButton(ButtonKind::kOutlined, tr("Note"), "note"));
     connect(marker_, &QPushButton::clicked, &run_, &RecordRun::addMarker);
     connect(note_button_, &QPushButton::clicked, this, &RecordBar::writeNote);
     auto* buttons = addRow(column, 8);
@@ -255,8 +263,8 @@ void RecordBar::showChoices() {
     countdown_->setAccessibleName(countdown);
     tones_->setText(!narrow ? tones : run_.tones() ? tr("on", "tones") : tr("off", "tones"));
     tones_->setAccessibleName(tones);
-    marker_->setShortcutHint(narrow ? QKeySequence() : QKeySequence(Qt::Key_M));
-    note_button_->setShortcutHint(narrow ? QKeySequence() : QKeySequence(Qt::Key_N));
+    marker_->setShortcutHint(narrow ? QKeySequence() : Keys::keyOf("record/marker", Qt::Key_M));
+    note_button_->setShortcutHint(narrow ? QKeySequence() : Keys::keyOf("record/note", Qt::Key_N));
 }
 
 QSize RecordBar::sizeHint() const {
