@@ -6115,6 +6115,10 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <translation>Sie senden CaptureStart und CaptureStop über UDP, wie es Systeme der Bewegungsaufnahme tun.</translation>
     </message>
     <message>
+        <source>Countdown</source>
+        <translation>Countdown</translation>
+    </message>
+    <message>
         <source>UDP port</source>
         <translation>UDP-Port</translation>
     </message>

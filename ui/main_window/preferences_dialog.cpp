@@ -14,8 +14,10 @@
 #include "ui/language/language.h"
 #include "ui/main_window/look.h"
 #include "ui/main_window/window_place.h"
+#include "ui/models/countdown.h"
 #include "ui/models/voice.h"
 #include "ui/style/theme.h"
+#include "ui/views/record/record_bar.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/elided_label.h"
@@ -163,6 +165,21 @@ void PreferencesDialog::chooseSessionsFolder() {
 
 void PreferencesDialog::addRecording(QVBoxLayout& column) {
     FormRows* rows = addSection(column, tr("Recording"));
+    countdown_ = new QComboBox;
+    for (const int seconds : Countdown::kChoices_s)
+        countdown_->addItem(RecordBar::secondsChoice(seconds), seconds);
+    rows->addRow(tr("Countdown"), countdown_);
+    const auto show_countdown = [this] {
+        countdown_->setCurrentIndex(countdown_->findData(Countdown::get().seconds()));
+    };
+    connect(&Countdown::get(), &Countdown::changed, this, show_countdown);
+    connect(countdown_, QOverload<int>::of(&QComboBox::activated), this,
+            [this] { Countdown::get().setSeconds(countdown_->currentData().toInt()); });
+    show_countdown();
+    addRemoteStart(*rows);
+}
+
+void PreferencesDialog::addRemoteStart(FormRows& rows) {
     RemoteStart& remote = studio_.remoteStart();
     auto* allowed = new QCheckBox(tr("Other programs may start and stop recordings"));
     allowed->setToolTip(tr("They send CaptureStart and CaptureStop over UDP, as motion capture systems do."));
@@ -173,9 +190,9 @@ void PreferencesDialog::addRecording(QVBoxLayout& column) {
     port->setValue(remote.port());
     auto* problem = new Label({}, TextRole::kSecondary, Ink::kHint);
     problem->setWordWrap(true);
-    rows->addControl(allowed);
-    rows->addRow(tr("UDP port"), port);
-    rows->addControl(problem);
+    rows.addControl(allowed);
+    rows.addRow(tr("UDP port"), port);
+    rows.addControl(problem);
     const auto show = [&remote, port, problem] {
         port->setEnabled(remote.isAllowed());
         problem->setText(remote.problem().isEmpty() && remote.isListening()

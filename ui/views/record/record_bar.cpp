@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/models/countdown.h"
 #include "ui/style/keys.h"
 #include "ui/style/theme.h"
 #include "ui/style/words.h"
@@ -22,7 +23,6 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kCountdowns_s[] = {0, 3, 5, 10};
 constexpr int kPreRolls_s[] = {0, 2, 5, 10};
 constexpr int kBarHeight = 88;
 constexpr int kRoomForWords = 760;  ///< below it choices are short, and keys are in the tooltips
@@ -45,9 +45,8 @@ template <class Choose>
 void addSeconds(QMenu& menu, const QString& title, const int (&choices_s)[4], int chosen_s, Choose choose) {
     addHeading(menu, title);
     for (const int seconds : choices_s) {
-        QAction* action = menu.addAction(
-            seconds == 0 ? RecordBar::tr("None") : RecordBar::tr("%n second(s)", nullptr, seconds), &menu,
-            [choose, seconds] { choose(seconds); });
+        QAction* action =
+            menu.addAction(RecordBar::secondsChoice(seconds), &menu, [choose, seconds] { choose(seconds); });
         action->setCheckable(true);
         action->setChecked(seconds == chosen_s);
     }
@@ -108,6 +107,10 @@ RecordBar::RecordBar(RecordRun& run, QWidget* parent) : QWidget(parent), run_(ru
             button_->setCountdown(run_.countdownLeft(), run_.countdownSeconds());
     });
     refresh();
+}
+
+QString RecordBar::secondsChoice(int seconds) {
+    return seconds == 0 ? tr("None") : tr("%n second(s)", nullptr, seconds);
 }
 
 QWidget* RecordBar::makeLeft() {
@@ -215,8 +218,8 @@ QWidget* RecordBar::makeRight() {
 
 void RecordBar::fillMenu(QMenu& menu) {
     menu.clear();
-    addSeconds(menu, tr("Countdown"), kCountdowns_s, run_.countdownSeconds(),
-               [this](int seconds) { run_.setCountdownSeconds(seconds); });
+    addSeconds(menu, tr("Countdown"), Countdown::kChoices_s, run_.countdownSeconds(),
+               [](int seconds) { Countdown::get().setSeconds(seconds); });
     if (run_.canPreRoll())
         addSeconds(menu, tr("Pre-roll, from before the recording begins"), kPreRolls_s, run_.preRollSeconds(),
                    [this](int seconds) { run_.setPreRollSeconds(seconds); });
