@@ -6150,6 +6150,19 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <source>High contrast</source>
         <translation>Hoher Kontrast</translation>
     </message>
+    <message>
+        <source>Tones on</source>
+        <translation>Töne auf</translation>
+    </message>
+    <message>
+        <source>%1, not there</source>
+        <comment>a sound device</comment>
+        <translation>%1, nicht da</translation>
+    </message>
+    <message>
+        <source>Spoken cues are played where the desktop plays its speech.</source>
+        <translation>Sprachhinweise kommen dort, wo die Arbeitsumgebung spricht.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::ProblemCard</name>
@@ -10350,6 +10363,10 @@ Median; gut: unter %1</translation>
     <message>
         <source>Picture of %1</source>
         <translation>Bild von %1</translation>
+    </message>
+    <message>
+        <source>Tones cannot be played on %1: the desktop plays them. Connect it, or choose another device in Preferences.</source>
+        <translation>Töne lassen sich auf %1 nicht spielen: die Arbeitsumgebung spielt sie. Das Gerät anschließen oder in den Einstellungen ein anderes wählen.</translation>
     </message>
 </context>
 <context>

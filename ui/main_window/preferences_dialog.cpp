@@ -15,6 +15,7 @@
 #include "ui/main_window/look.h"
 #include "ui/main_window/window_place.h"
 #include "ui/models/countdown.h"
+#include "ui/models/tones.h"
 #include "ui/models/voice.h"
 #include "ui/style/theme.h"
 #include "ui/views/record/record_bar.h"
@@ -30,7 +31,7 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kLabels = 140, kAboveDialog = 40;
+constexpr int kLabels = 140, kAboveDialog = 40, kDeviceName = Qt::UserRole + 1;
 constexpr std::array kTextSizes{75, 90, 100, 110, 125, 150};
 
 FormRows* addSection(QVBoxLayout& column, const QString& title) {
@@ -219,6 +220,31 @@ void PreferencesDialog::addSound(QVBoxLayout& column) {
             tr("No speech is installed on this computer. On Debian: speech-dispatcher and "
                "qtspeech5-speechd-plugin."));
     connect(spoken, &QCheckBox::toggled, &voice, &Voice::setOn);
+    addSoundDevice(*rows);
+}
+
+void PreferencesDialog::addSoundDevice(FormRows& rows) {
+    Tones& tones = Tones::get();
+    device_ = new QComboBox;
+    device_->addItem(tr("As the desktop"), QString());
+    const auto offer = [this](const SoundDevice& device, const QString& words) {
+        device_->addItem(words, device.id);
+        device_->setItemData(device_->count() - 1, device.name, kDeviceName);
+    };
+    for (const SoundDevice& device : tones.devices())
+        offer(device, device.name);
+    const SoundDevice chosen = tones.device();
+    if (device_->findData(chosen.id) < 0)
+        offer(chosen, tr("%1, not there", "a sound device").arg(chosen.name));
+    device_->setCurrentIndex(device_->findData(chosen.id));
+    device_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    rows.addRow(tr("Tones on"), device_);
+    rows.addHint(tr("Spoken cues are played where the desktop plays its speech."));
+    connect(device_, QOverload<int>::of(&QComboBox::activated), this, [this] {
+        const QString id = device_->currentData().toString();
+        Tones::get().setDevice({id, device_->currentData(kDeviceName).toString()});
+        Tones::get().play();
+    });
 }
 
 void PreferencesDialog::addSaving(QVBoxLayout& column) {

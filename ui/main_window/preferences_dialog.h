@@ -23,6 +23,7 @@ public:
     QComboBox& textSize() { return *text_size_; }
     QComboBox& language() { return *language_; }
     QComboBox& countdown() { return *countdown_; }
+    QComboBox& soundDevice() { return *device_; }
 
 signals:
     /// The window must be made anew; the dialog closes with it.
@@ -37,11 +38,12 @@ private:
     void addRecording(QVBoxLayout& column);
     void addRemoteStart(FormRows& rows);
     void addSound(QVBoxLayout& column);
+    void addSoundDevice(FormRows& rows);
     void addSaving(QVBoxLayout& column);
     void chooseSessionsFolder();
 
     Studio& studio_;
-    QComboBox *scheme_, *text_size_, *language_, *countdown_;
+    QComboBox *scheme_, *text_size_, *language_, *countdown_, *device_;
     ElidedLabel* folder_;
 };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/record/record_run.h"
 
-#include <QApplication>
 #include <QDir>
 #include <cmath>
 #include <utility>
@@ -10,6 +9,7 @@
 #include "core/session/take_folder.h"
 #include "ui/language/core_words.h"
 #include "ui/models/countdown.h"
+#include "ui/models/tones.h"
 #include "ui/models/voice.h"
 #include "ui/style/words.h"
 #include "ui/views/readiness_words.h"
@@ -335,7 +335,7 @@ void RecordRun::setOpensReview(bool opens) {
 /// The system's own bell and the voice: the picture says the same.
 void RecordRun::cue(const QString& words) const {
     if (tones_)
-        QApplication::beep();
+        Tones::get().play();
     Voice::get().say(words);
 }
 
