@@ -16,6 +16,7 @@
 #include "app/studio/sample_take.h"
 #include "app/studio/speech.h"
 #include "app/studio/start_clock.h"
+#include "app/studio/tone_player.h"
 #include "core/job/heap.h"
 #include "devices/machine/clock.h"
 #include "ui/main_window/look.h"
@@ -121,6 +122,7 @@ int runStudio(int argc, char** argv) {
     const std::unique_ptr<Speech> speech = Speech::make();
     if (speech)
         Voice::get().setSpeaker([&speech](const QString& words) { speech->say(words, QLocale()); });
+    Tones::get().setPlayer(tonePlayer());
     const EndSignals end_signals;
     QObject::connect(&end_signals, &EndSignals::endWanted, &windows,
                      [&windows] { windows.window()->endInGoodOrder(); });

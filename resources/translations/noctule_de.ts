@@ -6153,6 +6153,10 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <translation>Sie senden CaptureStart und CaptureStop über UDP, wie es Systeme der Bewegungsaufnahme tun.</translation>
     </message>
     <message>
+        <source>Countdown</source>
+        <translation>Countdown</translation>
+    </message>
+    <message>
         <source>UDP port</source>
         <translation>UDP-Port</translation>
     </message>
@@ -6183,6 +6187,19 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>High contrast</source>
         <translation>Hoher Kontrast</translation>
+    </message>
+    <message>
+        <source>Tones on</source>
+        <translation>Töne auf</translation>
+    </message>
+    <message>
+        <source>%1, not there</source>
+        <comment>a sound device</comment>
+        <translation>%1, nicht da</translation>
+    </message>
+    <message>
+        <source>Spoken cues are played where the desktop plays its speech.</source>
+        <translation>Sprachhinweise kommen dort, wo die Arbeitsumgebung spricht.</translation>
     </message>
 </context>
 <context>
@@ -6999,8 +7016,9 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <translation>Name der Aufnahme</translation>
     </message>
     <message>
-        <source>Take name (T). Numbers count by themselves, and nothing is overwritten.</source>
-        <translation>Name der Aufnahme (T). Nummern zählen von selbst, und nichts wird überschrieben.</translation>
+        <source>Take name (%1). Numbers count by themselves, and nothing is overwritten.</source>
+        <comment>a key</comment>
+        <translation>Name der Aufnahme (%1). Nummern zählen von selbst, und nichts wird überschrieben.</translation>
     </message>
     <message>
         <source>The system&apos;s bell with each second of the countdown, at start and at stop</source>
@@ -10439,6 +10457,10 @@ Median; gut: unter %1</translation>
         <source>Picture of %1</source>
         <translation>Bild von %1</translation>
     </message>
+    <message>
+        <source>Tones cannot be played on %1: the desktop plays them. Connect it, or choose another device in Preferences.</source>
+        <translation>Töne lassen sich auf %1 nicht spielen: die Arbeitsumgebung spielt sie. Das Gerät anschließen oder in den Einstellungen ein anderes wählen.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::ShortcutsDialog</name>
@@ -10530,6 +10552,53 @@ Median; gut: unter %1</translation>
     <message>
         <source>Delete it, let go of it</source>
         <translation>Löschen, loslassen</translation>
+    </message>
+    <message>
+        <source>Restore defaults</source>
+        <translation>Vorgaben wiederherstellen</translation>
+    </message>
+    <message>
+        <source>On Robot, for safety</source>
+        <translation>Auf Roboter, zur Sicherheit</translation>
+    </message>
+    <message>
+        <source>The robot moves only while this key is held</source>
+        <translation>Der Roboter bewegt sich nur, solange diese Taste gehalten wird</translation>
+    </message>
+    <message>
+        <source>Click here and press the key for “%1”:</source>
+        <translation>Hier klicken und die Taste für „%1“ drücken:</translation>
+    </message>
+    <message>
+        <source>These keys are fixed.</source>
+        <translation>Diese Tasten liegen fest.</translation>
+    </message>
+    <message>
+        <source>Choose a command above to give it another key.</source>
+        <translation>Oben einen Befehl wählen, um ihm eine andere Taste zu geben.</translation>
+    </message>
+    <message>
+        <source>%1 already means “%2”. Give that command another key first.</source>
+        <comment>key, command</comment>
+        <translation>%1 bedeutet schon „%2“. Erst diesem Befehl eine andere Taste geben.</translation>
+    </message>
+    <message>
+        <source>%1 already means “%2”, which is fixed.</source>
+        <comment>key, what it does</comment>
+        <translation>%1 bedeutet schon „%2“, und das liegt fest.</translation>
+    </message>
+    <message>
+        <source>%1 is for texts: to copy, cut, paste or select.</source>
+        <comment>key</comment>
+        <translation>%1 dient Texten: zum Kopieren, Ausschneiden, Einfügen oder Auswählen.</translation>
+    </message>
+    <message>
+        <source>Keys with Alt open menus. Take one with Ctrl.</source>
+        <translation>Tasten mit Alt öffnen Menüs. Eine mit Strg nehmen.</translation>
+    </message>
+    <message>
+        <source>This command acts on every page: it needs a key with Ctrl, or one of F1 to F12.</source>
+        <translation>Dieser Befehl wirkt auf jeder Seite: er braucht eine Taste mit Strg oder eine von F1 bis F12.</translation>
     </message>
 </context>
 <context>
@@ -11672,8 +11741,9 @@ Drehen, beide Richtungen x3</translation>
         <translation>Marke</translation>
     </message>
     <message>
-        <source>Set a marker at the cursor (M)</source>
-        <translation>Marke an den Zeiger setzen (M)</translation>
+        <source>Set a marker at the cursor (%1)</source>
+        <comment>a key</comment>
+        <translation>Marke an den Zeiger setzen (%1)</translation>
     </message>
     <message>
         <source>In %1</source>

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "ui/main_window/job_row.h"
+#include "ui/style/keys.h"
 #include "ui/style/theme.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
@@ -28,7 +29,9 @@ JobsPanel::JobsPanel(Jobs& jobs, QWidget* window) : QFrame(window), jobs_(jobs) 
     auto* outer = makeColumn(this, {1, 1, 1, 1});
     auto* title = new DockTitle(tr("Jobs"));
     clear_ = makeButton(ButtonKind::kText, tr("Clear finished"));
-    auto* close = new ToolButton("close", tr("Close"), QKeySequence("Ctrl+J"));
+    auto* close = new ToolButton("close", tr("Close"));
+    followKey(*close, "window/jobs", QKeySequence("Ctrl+J"),
+              [close](const QKeySequence& key) { close->setMeaning("close", tr("Close"), key); });
     title->addAction(clear_);
     title->addAction(close);
     outer->addWidget(title);

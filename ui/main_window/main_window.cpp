@@ -89,10 +89,10 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::buildParts() {
-    actions_->adopt(Command::kUndo, studio_.session().undoStack().createUndoAction(this, tr("Undo")));
-    actions_->adopt(Command::kRedo, studio_.session().undoStack().createRedoAction(this, tr("Redo")));
-    (*actions_)[Command::kUndo]->setShortcut(QKeySequence("Ctrl+Z"));
-    (*actions_)[Command::kRedo]->setShortcut(QKeySequence("Ctrl+Shift+Z"));
+    actions_->adopt(Command::kUndo, studio_.session().undoStack().createUndoAction(this, tr("Undo")),
+                    {QKeySequence("Ctrl+Z")});
+    actions_->adopt(Command::kRedo, studio_.session().undoStack().createRedoAction(this, tr("Redo")),
+                    {QKeySequence("Ctrl+Shift+Z")});
 
     top_bar_ = new TopBar;
     menus_ = new WindowMenus(*actions_, recent_, top_bar_->menuBar());

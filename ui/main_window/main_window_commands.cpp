@@ -185,6 +185,10 @@ void MainWindow::offerTour() {
 }
 
 void MainWindow::showShortcuts() {
+    // All commands, so that a key is not given to two: pages are made when they are first shown.
+    for (const Step step : {Step::kConnect, Step::kCalibrate, Step::kRecord, Step::kReview, Step::kExport,
+                            Step::kPerformer, Step::kRobot})
+        page(step);
     QList<ShortcutGroup> groups{{tr("Anywhere"), actions_->all()}};
     for (const auto& [step, page] : pages_)
         if (!page->menuActions().isEmpty())

@@ -13,8 +13,11 @@
 
 #include "ui/language/language.h"
 #include "ui/main_window/look.h"
+#include "ui/models/countdown.h"
+#include "ui/models/tones.h"
 #include "ui/models/voice.h"
 #include "ui/style/theme.h"
+#include "ui/views/record/record_bar.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/views/window_place.h"
 #include "ui/widgets/button.h"
@@ -28,7 +31,7 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kLabels = 140;
+constexpr int kLabels = 140, kDeviceName = Qt::UserRole + 1;
 constexpr std::array kTextSizes{75, 90, 100, 110, 125, 150};
 
 FormRows* addSection(QVBoxLayout& column, const QString& title) {
@@ -156,6 +159,21 @@ void PreferencesDialog::chooseSessionsFolder() {
 
 void PreferencesDialog::addRecording(QVBoxLayout& column) {
     FormRows* rows = addSection(column, tr("Recording"));
+    countdown_ = new QComboBox;
+    for (const int seconds : Countdown::kChoices_s)
+        countdown_->addItem(RecordBar::secondsChoice(seconds), seconds);
+    rows->addRow(tr("Countdown"), countdown_);
+    const auto show_countdown = [this] {
+        countdown_->setCurrentIndex(countdown_->findData(Countdown::get().seconds()));
+    };
+    connect(&Countdown::get(), &Countdown::changed, this, show_countdown);
+    connect(countdown_, QOverload<int>::of(&QComboBox::activated), this,
+            [this] { Countdown::get().setSeconds(countdown_->currentData().toInt()); });
+    show_countdown();
+    addRemoteStart(*rows);
+}
+
+void PreferencesDialog::addRemoteStart(FormRows& rows) {
     RemoteStart& remote = studio_.remoteStart();
     auto* allowed = new QCheckBox(tr("Other programs may start and stop recordings"));
     allowed->setToolTip(tr("They send CaptureStart and CaptureStop over UDP, as motion capture systems do."));
@@ -166,9 +184,9 @@ void PreferencesDialog::addRecording(QVBoxLayout& column) {
     port->setValue(remote.port());
     auto* problem = new Label({}, TextRole::kSecondary, Ink::kHint);
     problem->setWordWrap(true);
-    rows->addControl(allowed);
-    rows->addRow(tr("UDP port"), port);
-    rows->addControl(problem);
+    rows.addControl(allowed);
+    rows.addRow(tr("UDP port"), port);
+    rows.addControl(problem);
     const auto show = [&remote, port, problem] {
         port->setEnabled(remote.isAllowed());
         problem->setText(remote.problem().isEmpty() && remote.isListening()
@@ -195,6 +213,31 @@ void PreferencesDialog::addSound(QVBoxLayout& column) {
             tr("No speech is installed on this computer. On Debian: speech-dispatcher and "
                "qtspeech5-speechd-plugin."));
     connect(spoken, &QCheckBox::toggled, &voice, &Voice::setOn);
+    addSoundDevice(*rows);
+}
+
+void PreferencesDialog::addSoundDevice(FormRows& rows) {
+    Tones& tones = Tones::get();
+    device_ = new QComboBox;
+    device_->addItem(tr("As the desktop"), QString());
+    const auto offer = [this](const SoundDevice& device, const QString& words) {
+        device_->addItem(words, device.id);
+        device_->setItemData(device_->count() - 1, device.name, kDeviceName);
+    };
+    for (const SoundDevice& device : tones.devices())
+        offer(device, device.name);
+    const SoundDevice chosen = tones.device();
+    if (device_->findData(chosen.id) < 0)
+        offer(chosen, tr("%1, not there", "a sound device").arg(chosen.name));
+    device_->setCurrentIndex(device_->findData(chosen.id));
+    device_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    rows.addRow(tr("Tones on"), device_);
+    rows.addHint(tr("Spoken cues are played where the desktop plays its speech."));
+    connect(device_, QOverload<int>::of(&QComboBox::activated), this, [this] {
+        const QString id = device_->currentData().toString();
+        Tones::get().setDevice({id, device_->currentData(kDeviceName).toString()});
+        Tones::get().play();
+    });
 }
 
 void PreferencesDialog::addSaving(QVBoxLayout& column) {

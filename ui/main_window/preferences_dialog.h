@@ -12,6 +12,7 @@ class QVBoxLayout;
 namespace noctule::ui {
 
 class ElidedLabel;
+class FormRows;
 
 class PreferencesDialog : public QDialog {
     Q_OBJECT
@@ -21,6 +22,8 @@ public:
     QComboBox& scheme() { return *scheme_; }
     QComboBox& textSize() { return *text_size_; }
     QComboBox& language() { return *language_; }
+    QComboBox& countdown() { return *countdown_; }
+    QComboBox& soundDevice() { return *device_; }
 
 signals:
     /// The window must be made anew; the dialog closes with it.
@@ -33,12 +36,14 @@ private:
     void addView3d(QVBoxLayout& column);
     void addFolders(QVBoxLayout& column);
     void addRecording(QVBoxLayout& column);
+    void addRemoteStart(FormRows& rows);
     void addSound(QVBoxLayout& column);
+    void addSoundDevice(FormRows& rows);
     void addSaving(QVBoxLayout& column);
     void chooseSessionsFolder();
 
     Studio& studio_;
-    QComboBox *scheme_, *text_size_, *language_;
+    QComboBox *scheme_, *text_size_, *language_, *countdown_, *device_;
     ElidedLabel* folder_;
 };
 

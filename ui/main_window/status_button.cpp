@@ -14,12 +14,17 @@ constexpr int kPadding = 4, kGap = 6, kIcon = 14, kHeight = 24;
 
 }  // namespace
 
-StatusButton::StatusButton(const QString& text, const QKeySequence& keys, QWidget* parent)
-    : QAbstractButton(parent), keys_(keysText(keys)) {
+StatusButton::StatusButton(const QString& text, QWidget* parent) : QAbstractButton(parent) {
     setText(text);
     setFocusPolicy(Qt::StrongFocus);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     connect(&Theme::get(), &Theme::changed, this, [this] { updateGeometry(), update(); });
+}
+
+void StatusButton::setKeys(const QKeySequence& keys) {
+    keys_ = keysText(keys);
+    updateGeometry();
+    update();
 }
 
 void StatusButton::setTone(Tone tone) {

@@ -12,9 +12,10 @@ namespace noctule::ui {
 class StatusButton : public QAbstractButton {
     Q_OBJECT
 public:
-    /// `keys` are drawn in front of the words.
-    explicit StatusButton(const QString& text = {}, const QKeySequence& keys = {}, QWidget* parent = nullptr);
+    explicit StatusButton(const QString& text = {}, QWidget* parent = nullptr);
 
+    /// Drawn in front of the words.
+    void setKeys(const QKeySequence& keys);
     /// Anything but neutral adds the icon of the tone.
     void setTone(Tone tone);
 

@@ -7,6 +7,7 @@
 #include <QPointer>
 
 #include "ui/main_window/status_button.h"
+#include "ui/style/keys.h"
 #include "ui/style/theme.h"
 #include "ui/style/words.h"
 #include "ui/views/job_words.h"
@@ -36,9 +37,13 @@ StatusLine::StatusLine(Studio& studio, QWidget* parent) : QWidget(parent), studi
     open_ = new ElidedLabel({}, TextRole::kSecondary, Ink::kLabel);
     storage_ = new Label({}, TextRole::kSecondary, Ink::kLabel);
     jobs_ = new StatusButton;
-    jobs_->setToolTip(tr("Jobs (%1)", "a key").arg(keysText(QKeySequence("Ctrl+J"))));
+    followKey(*jobs_, "window/jobs", QKeySequence("Ctrl+J"), [this](const QKeySequence& key) {
+        jobs_->setToolTip(tr("Jobs (%1)", "a key").arg(keysText(key)));
+    });
     cancel_ = new StatusButton(tr("Cancel"));
-    shortcuts_ = new StatusButton(tr("Shortcuts"), QKeySequence("F1"));
+    shortcuts_ = new StatusButton(tr("Shortcuts"));
+    followKey(*shortcuts_, "window/shortcuts", QKeySequence("F1"),
+              [this](const QKeySequence& key) { shortcuts_->setKeys(key); });
     row->addWidget(safe_);
     row->addWidget(open_, 1);
     row->addWidget(storage_);

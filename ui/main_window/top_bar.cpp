@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 
+#include "ui/style/keys.h"
 #include "ui/style/theme.h"
 #include "ui/style/words.h"
 #include "ui/views/scaled_layout.h"
@@ -46,6 +47,10 @@ TopBar::TopBar(QWidget* parent) : QWidget(parent) {
     row->addWidget(left_, 1);
     row->addWidget(steps_);
     row->addWidget(right_, 1);
+    followKey(*this, "window/record", QKeySequence("Ctrl+R"), [this](const QKeySequence& key) {
+        record_key_ = key;
+        showRecordKey();
+    });
     connect(steps_, &StepBar::stepClicked, this, [this](int index) { emit stepRequested(stepAt(index)); });
     connect(&Theme::get(), &Theme::changed, this, [this] {
         updateGeometry();
@@ -84,9 +89,10 @@ QWidget* TopBar::makeRight() {
     box_ = new Chip(Tone::kNeutral, {}, "link");
     box_->setToolTip(tr("The connected suit. Opens Connect."));
     box_->hide();
-    record_ = makeButton(ButtonKind::kRecord, tr("Record"), "record", QKeySequence("Ctrl+R"));
-    record_->setToolTip(tr("Opens Record (%1)", "a key").arg(keysText(QKeySequence("Ctrl+R"))));
-    preferences_ = new ToolButton("gear", tr("Preferences"), QKeySequence("Ctrl+,"));
+    record_ = makeButton(ButtonKind::kRecord, tr("Record"), "record");
+    preferences_ = new ToolButton("gear", tr("Preferences"));
+    followKey(*preferences_, "window/preferences", QKeySequence("Ctrl+,"),
+              [this](const QKeySequence& key) { preferences_->setMeaning("gear", tr("Preferences"), key); });
     row->addStretch();
     row->addWidget(suit_);
     row->addWidget(box_);
@@ -133,10 +139,14 @@ void TopBar::showRecording(std::optional<double> seconds) {
     record_->setAccessibleName(seconds ? tr("Recording, %1").arg(timeText(*seconds, 0)) : tr("Record"));
     if (!changes)
         return;
+    showRecordKey();
+    showRecordButton();
+}
+
+void TopBar::showRecordKey() {
     record_->setToolTip((records_ ? tr("A take is being recorded. Opens Record; %1 stops it.", "a key")
                                   : tr("Opens Record (%1)", "a key"))
-                            .arg(keysText(QKeySequence("Ctrl+R"))));
-    showRecordButton();
+                            .arg(keysText(record_key_)));
     foldWhereNarrow();
 }
 
@@ -170,7 +180,7 @@ void TopBar::foldWhereNarrow() {
     menus_->setVisible(!fold);
     folded_->setVisible(fold);
     const bool has_steps = !steps_->isHidden();
-    record_->setShortcutHint(records_ ? QKeySequence() : QKeySequence("Ctrl+R"));
+    record_->setShortcutHint(records_ ? QKeySequence() : record_key_);
     suit_->setBrief(false);
     const int sides = 2 * (record_->sizeHint().width() + suit_->sizeHint().width() + Theme::get().px(36));
     const bool room = has_steps && width() > steps_->sizeHint().width() + sides;

@@ -4,6 +4,7 @@
 // no steps yet.
 #pragma once
 
+#include <QKeySequence>
 #include <QWidget>
 #include <optional>
 
@@ -61,6 +62,7 @@ private:
     QWidget* makeRight();
     void foldWhereNarrow();
     void showRecordButton();
+    void showRecordKey();
 
     QMenuBar* menus_;
     ToolButton* folded_;
@@ -71,6 +73,7 @@ private:
     QWidget *left_, *right_;
     Step step_ = Step::kStart;
     bool records_ = false;
+    QKeySequence record_key_;
 };
 
 }  // namespace noctule::ui

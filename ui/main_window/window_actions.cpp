@@ -1,9 +1,55 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/main_window/window_actions.h"
 
+#include "ui/style/keys.h"
 #include "ui/style/theme.h"
 
 namespace noctule::ui {
+namespace {
+
+/// In settings; a name stays the same in every version.
+const std::map<Command, const char*>& namesOfCommands() {
+    static const std::map<Command, const char*> kNames{
+        {Command::kNewSession, "window/new_session"},
+        {Command::kOpenSession, "window/open_session"},
+        {Command::kOpenTake, "window/open_take"},
+        {Command::kImportTakes, "window/import_takes"},
+        {Command::kImportMotion, "window/import_motion"},
+        {Command::kImportRecording, "window/import_recording"},
+        {Command::kShowFolder, "window/show_folder"},
+        {Command::kCloseSession, "window/close_session"},
+        {Command::kExport, "window/export"},
+        {Command::kQuit, "window/quit"},
+        {Command::kUndo, "window/undo"},
+        {Command::kRedo, "window/redo"},
+        {Command::kPreferences, "window/preferences"},
+        {Command::kStepStart, "window/step_start"},
+        {Command::kStepConnect, "window/step_connect"},
+        {Command::kStepCalibrate, "window/step_calibrate"},
+        {Command::kStepRecord, "window/step_record"},
+        {Command::kStepReview, "window/step_review"},
+        {Command::kStepExport, "window/step_export"},
+        {Command::kStepRobot, "window/step_robot"},
+        {Command::kJobs, "window/jobs"},
+        {Command::kNextPanel, "window/next_panel"},
+        {Command::kPreviousPanel, "window/previous_panel"},
+        {Command::kFullScreen, "window/full_screen"},
+        {Command::kResetLayout, "window/reset_layout"},
+        {Command::kRecord, "window/record"},
+        {Command::kBody, "window/body"},
+        {Command::kPerformer, "window/performer"},
+        {Command::kPutSuitOn, "window/put_suit_on"},
+        {Command::kShortcuts, "window/shortcuts"},
+        {Command::kTour, "window/tour"},
+        {Command::kNews, "window/news"},
+        {Command::kDocuments, "window/documents"},
+        {Command::kSaveDiagnosis, "window/save_diagnosis"},
+        {Command::kAbout, "window/about"},
+    };
+    return kNames;
+}
+
+}  // namespace
 
 WindowActions::WindowActions(QWidget& window) : QObject(&window), window_(window) {
     addFileActions();
@@ -68,15 +114,15 @@ void WindowActions::addSuitAndHelpActions() {
 QAction* WindowActions::add(Command command, const QString& text, const QList<QKeySequence>& keys,
                             const char* icon) {
     auto* action = new QAction(text, &window_);
-    action->setShortcuts(keys);
     if (*icon)
         icons_[action] = icon;
-    adopt(command, action);
+    adopt(command, action, keys);
     return action;
 }
 
-void WindowActions::adopt(Command command, QAction* action) {
+void WindowActions::adopt(Command command, QAction* action, const QList<QKeySequence>& keys) {
     actions_[command] = action;
+    Keys::get().adopt(*action, namesOfCommands().at(command), keys);
     window_.addAction(action);
 }
 
@@ -84,13 +130,15 @@ void WindowActions::setOpenKeyFree(bool free) {
     QList<QKeySequence> keys{QKeySequence("Ctrl+Shift+O")};
     if (!free)
         keys.prepend(QKeySequence("Ctrl+O"));
-    actions_.at(Command::kOpenSession)->setShortcuts(keys);
+    Keys::get().setUsual(*actions_.at(Command::kOpenSession), keys);
 }
 
 void WindowActions::setRobotShown(bool shown) {
-    actions_.at(Command::kStepRobot)->setShortcut(shown ? QKeySequence("Ctrl+4") : QKeySequence());
-    actions_.at(Command::kStepReview)->setShortcut(QKeySequence(shown ? "Ctrl+5" : "Ctrl+4"));
-    actions_.at(Command::kStepExport)->setShortcut(QKeySequence(shown ? "Ctrl+6" : "Ctrl+5"));
+    Keys& keys = Keys::get();
+    keys.setUsual(*actions_.at(Command::kStepRobot),
+                  shown ? QList<QKeySequence>{QKeySequence("Ctrl+4")} : QList<QKeySequence>{});
+    keys.setUsual(*actions_.at(Command::kStepReview), {QKeySequence(shown ? "Ctrl+5" : "Ctrl+4")});
+    keys.setUsual(*actions_.at(Command::kStepExport), {QKeySequence(shown ? "Ctrl+6" : "Ctrl+5")});
 }
 
 QList<QAction*> WindowActions::all() const {

@@ -55,7 +55,7 @@ public:
 
     QAction* operator[](Command command) const { return actions_.at(command); }
     /// Undo and redo come from the undo stack, which words them.
-    void adopt(Command command, QAction* action);
+    void adopt(Command command, QAction* action, const QList<QKeySequence>& keys);
     /// In Review, Ctrl+O is the out point.
     void setOpenKeyFree(bool free);
     /// The keys of steps are their numbers: with a robot, its step stands before Review.

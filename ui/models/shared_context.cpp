@@ -7,6 +7,7 @@
 #include <QTemporaryFile>
 
 #include "core/mesh/import/glb_reader.h"
+#include "ui/models/tones.h"
 
 namespace noctule::ui {
 namespace {
@@ -41,6 +42,12 @@ SharedContext::SharedContext(StudioParts parts, QObject* parent)
     });
     connect(&shown_body_, &ShownBody::warned, this,
             [this](const QString& what) { emit warned(what, About::kFile); });
+    connect(&Tones::get(), &Tones::fellBack, this, [this](const QString& device) {
+        emit warned(tr("Tones cannot be played on %1: the desktop plays them. Connect it, or choose another "
+                       "device in Preferences.")
+                        .arg(device),
+                    About::kCapture);
+    });
     loadBody();
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "ui/plots/timeline.h"
+#include "ui/style/keys.h"
 #include "ui/style/theme.h"
 #include "ui/style/words.h"
 #include "ui/widgets/button.h"
@@ -32,19 +33,38 @@ TransportBar::TransportBar(ReviewContext& review, Timeline& timeline, QWidget* p
     build();
     connectStudio();
     refreshRange();
-    refreshPlaying();
+    refreshKeys();
     refreshSettings();
+}
+
+void TransportBar::refreshKeys() {
+    for (Button* button : {in_, out_, marker_})
+        button->setDisabledBecause({});  // the tooltips below are those of enabled ones
+    previous_->setMeaning(QStringLiteral("prev"), tr("Previous marker"),
+                          Keys::keyOf("review/previous_marker", Qt::Key_Comma));
+    next_->setMeaning(QStringLiteral("next"), tr("Next marker"),
+                      Keys::keyOf("review/next_marker", Qt::Key_Period));
+    loop_->setMeaning(QStringLiteral("loop"), tr("Loop between in and out"),
+                      Keys::keyOf("review/loop", QKeySequence("Ctrl+L")));
+    const auto key = [](const char* command, const char* usual) {
+        return keysText(Keys::keyOf(command, QKeySequence(usual)));
+    };
+    in_->setToolTip(tr("Set in to the cursor (%1)", "a key").arg(key("review/in", "Ctrl+I")));
+    out_->setToolTip(tr("Set out to the cursor (%1)", "a key").arg(key("review/out", "Ctrl+O")));
+    marker_->setToolTip(tr("Set a marker at the cursor (%1)", "a key").arg(key("review/marker", "M")));
+    marker_->setShortcutHint(Keys::keyOf("review/marker", Qt::Key_M));
+    refreshPlaying();
     refreshEnabled();
+    fitWords();
 }
 
 void TransportBar::build() {
-    previous_ = new ToolButton(QStringLiteral("prev"), tr("Previous marker"), Qt::Key_Comma);
-    play_ = new ToolButton(QStringLiteral("play"), tr("Play"), Qt::Key_Space);
+    previous_ = new ToolButton(QStringLiteral("prev"), tr("Previous marker"));
+    play_ = new ToolButton(QStringLiteral("play"), tr("Play"));
     play_->setPrimary(true);
     play_->setTargetSize(44, 30);
-    next_ = new ToolButton(QStringLiteral("next"), tr("Next marker"), Qt::Key_Period);
-    loop_ = new ToolButton(QStringLiteral("loop"), tr("Loop between in and out"),
-                           QKeySequence(QStringLiteral("Ctrl+L")));
+    next_ = new ToolButton(QStringLiteral("next"), tr("Next marker"));
+    loop_ = new ToolButton(QStringLiteral("loop"), tr("Loop between in and out"));
     loop_->setCheckable(true);
     speed_label_ = new Label(tr("Speed"), TextRole::kBody, Ink::kLabel);
     speed_ = new QComboBox;
@@ -53,13 +73,10 @@ void TransportBar::build() {
     speed_->setAccessibleName(tr("Speed"));
     speed_label_->setBuddy(speed_);
     in_ = makeButton(ButtonKind::kOutlined, {}, QStringLiteral("in"));
-    in_->setToolTip(tr("Set in to the cursor (%1)", "a key").arg(keysText(QKeySequence("Ctrl+I"))));
     out_ = makeButton(ButtonKind::kOutlined, {}, QStringLiteral("out"));
-    out_->setToolTip(tr("Set out to the cursor (%1)", "a key").arg(keysText(QKeySequence("Ctrl+O"))));
     length_ = new Label({}, TextRole::kBody, Ink::kLabel);
     length_->setAccessibleName(tr("Length between in and out"));
-    marker_ = makeButton(ButtonKind::kOutlined, tr("Marker"), QStringLiteral("marker"), Qt::Key_M);
-    marker_->setToolTip(tr("Set a marker at the cursor (M)"));
+    marker_ = makeButton(ButtonKind::kOutlined, tr("Marker"), QStringLiteral("marker"));
     place();
 }
 
@@ -101,6 +118,7 @@ void TransportBar::connectStudio() {
     connect(&time, &TimeCursor::playingChanged, this, &TransportBar::refreshPlaying);
     connect(&time, &TimeCursor::settingsChanged, this, &TransportBar::refreshSettings);
     connect(&review_.take(), &TakeDocument::opened, this, &TransportBar::refreshEnabled);
+    connect(&Keys::get(), &Keys::changed, this, &TransportBar::refreshKeys);
     for (const auto signal : {&TakeDocument::motionChanged, &TakeDocument::runsChanged})
         connect(&review_.take(), signal, this, &TransportBar::refreshRange);
 }
@@ -148,7 +166,7 @@ QSize TransportBar::minimumSizeHint() const {
 void TransportBar::refreshPlaying() {
     const bool playing = review_.time().isPlaying();
     play_->setMeaning(playing ? QStringLiteral("pause") : QStringLiteral("play"),
-                      playing ? tr("Pause") : tr("Play"), Qt::Key_Space);
+                      playing ? tr("Pause") : tr("Play"), Keys::keyOf("review/play", Qt::Key_Space));
 }
 
 void TransportBar::refreshSettings() {

@@ -39,6 +39,7 @@ private:
     void fitWords();
     void connectStudio();
     void refreshRange();
+    void refreshKeys();
     void refreshPlaying();
     void refreshSettings();
     void refreshEnabled();

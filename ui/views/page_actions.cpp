@@ -7,6 +7,8 @@
 #include <QPlainTextEdit>
 #include <QTextEdit>
 
+#include "ui/style/keys.h"
+
 namespace noctule::ui {
 namespace {
 
@@ -32,9 +34,10 @@ bool isInsertOfText(const QKeyEvent& event) {
 
 PageActions::PageActions(QWidget& page) : QObject(&page), page_(page) {}
 
-QAction* PageActions::add(const QString& text, const QKeySequence& keys, std::function<void()> act) {
+QAction* PageActions::add(const char* name, const QString& text, const QKeySequence& keys,
+                          std::function<void()> act) {
     auto* action = new QAction(text, this);
-    action->setShortcut(keys);
+    Keys::get().adopt(*action, name, keys.isEmpty() ? QList<QKeySequence>{} : QList<QKeySequence>{keys});
     action->setShortcutContext(Qt::WidgetShortcut);
     connect(action, &QAction::triggered, this, std::move(act));
     page_.addAction(action);

@@ -22,7 +22,8 @@ public:
     bool handleKey(const QKeyEvent& event);
 
 protected:
-    QAction* add(const QString& text, const QKeySequence& keys, std::function<void()> act);
+    /// `name` as in ui/style/keys.h.
+    QAction* add(const char* name, const QString& text, const QKeySequence& keys, std::function<void()> act);
     void addSeparator();
 
 private:

@@ -5,6 +5,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "ui/style/keys.h"
 #include "ui/style/words.h"
 #include "ui/views/newer_values.h"
 #include "ui/views/scaled_layout.h"
@@ -61,8 +62,8 @@ void CalibratePage::importFile(const QString& path) {
     if (const QString why = studio_.calibrations().importFile(path); !why.isEmpty())
         emit studio_.failed(tr("%1 was not imported").arg(name), why, About::kFile);
     else
-        studio_.sayOfFile(
-            tr("%1 is in use; undo with %2.", "file, key").arg(name, keysText(QKeySequence("Ctrl+Z"))));
+        studio_.sayOfFile(tr("%1 is in use; undo with %2.", "file, key")
+                              .arg(name, keysText(Keys::keyOf("window/undo", QKeySequence("Ctrl+Z")))));
 }
 
 /// Serial numbers may be wrong or the boards have moved: the operator decides.

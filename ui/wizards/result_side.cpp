@@ -3,6 +3,7 @@
 
 #include <QVBoxLayout>
 
+#include "ui/style/keys.h"
 #include "ui/style/words.h"
 #include "ui/views/review/process_takes_dialog.h"
 #include "ui/views/scaled_layout.h"
@@ -95,7 +96,7 @@ void ResultSide::refresh() {
     showFindings();
     const bool checks = run_->task() == WizardTask::kCheck;
     const bool bad = run_->result()->grade() == Grade::kNotUsable;
-    const QString undo = keysText(QKeySequence("Ctrl+Z"));
+    const QString undo = keysText(Keys::keyOf("window/undo", QKeySequence("Ctrl+Z")));
     save_->setVisible(!checks && !run_->isSaved());
     process_->setVisible(!checks && run_->isInUse() && studio_.session().isOpen() &&
                          !studio_.session().session().takes.empty());

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/style/keys.h"
 #include "ui/style/words.h"
 #include "ui/views/job_progress.h"
 #include "ui/views/scaled_layout.h"
@@ -343,9 +344,10 @@ void RoomPage::showResult() {
             : tr("Nobody walked past the anchors: place and heading are those of the room's file."));
     use_->setText(grade == Grade::kNotUsable ? tr("Use these places anyway") : tr("Use these places"));
     if (run_->isInUse())
-        words_->setText(tr("In use in %1; undo with %2. Results that it has were made with the earlier "
-                           "places.")
-                            .arg(run_->takeName(), keysText(QKeySequence("Ctrl+Z"))));
+        words_->setText(
+            tr("In use in %1; undo with %2. Results that it has were made with the earlier "
+               "places.")
+                .arg(run_->takeName(), keysText(Keys::keyOf("window/undo", QKeySequence("Ctrl+Z")))));
     else if (grade == Grade::kNotUsable)
         words_->setText(tr("Poses would be wrong where the cards say so. Mend what is named first."));
     else

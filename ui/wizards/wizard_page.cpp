@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "ui/models/part_names.h"
+#include "ui/models/tones.h"
 #include "ui/models/voice.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
@@ -90,7 +91,7 @@ void WizardPage::open(WizardTask task) {
     connect(run_.get(), &WizardRun::guided, this, &WizardPage::followGuide);
     connect(run_.get(), &WizardRun::stepKept, this, [this] {
         if (run_->tones())
-            QApplication::beep();
+            Tones::get().play();
         Voice::get().say(run_->guide()->isFinished() ? tr("Done")
                                                      : run_->stepWords(run_->step()).instruction);
     });
@@ -161,7 +162,7 @@ void WizardPage::followGuide() {
     const bool right = run_->guide() && run_->guide()->guidance().isRight();
     if (right && !was_right_) {
         if (run_->tones())
-            QApplication::beep();
+            Tones::get().play();
         Voice::get().say(tr("Good"));
     }
     was_right_ = right;

@@ -16,6 +16,7 @@
 
 #include "core/session/shot_list.h"
 #include "tests/ui/views/record_fixture.h"
+#include "ui/models/countdown.h"
 #include "ui/models/voice.h"
 #include "ui/plots/level_meters.h"
 #include "ui/plots/pairs_heard.h"
@@ -95,7 +96,7 @@ TEST_F(RecordPageTest, AnotherProgramBeginsAndEndsATakeOrIsToldWhyNot) {
     TestBox box(looping());
     openSession();
     ASSERT_TRUE(connectTo(box));
-    run().setCountdownSeconds(10);
+    Countdown::get().setSeconds(10);
     ASSERT_TRUE(reach(State::kReady));
     run().beginFromElsewhere("dance", "second try");
     EXPECT_EQ(run().state(), State::kRecording) << "without a countdown";
@@ -183,7 +184,7 @@ TEST_F(RecordPageTest, TheCountdownCountsAndEscEndsIt) {
     TestBox box(looping());
     openSession();
     ASSERT_TRUE(connectTo(box));
-    run().setCountdownSeconds(3);
+    Countdown::get().setSeconds(3);
     ASSERT_TRUE(reach(State::kReady));
     key(Qt::Key_Space);
     ASSERT_EQ(run().state(), State::kCountdown);
@@ -192,7 +193,7 @@ TEST_F(RecordPageTest, TheCountdownCountsAndEscEndsIt) {
     key(Qt::Key_Escape);
     EXPECT_EQ(run().state(), State::kReady);
     EXPECT_EQ(QSettings().value("record/countdown_s").toInt(), 3) << "remembered";
-    run().setCountdownSeconds(1);
+    Countdown::get().setSeconds(1);
     key(Qt::Key_Space);
     EXPECT_EQ(run().state(), State::kCountdown);
     EXPECT_TRUE(reach(State::kRecording));
@@ -207,7 +208,7 @@ TEST_F(RecordPageTest, TheVoiceCountsAndSaysStartAndStopUnlessItIsOff) {
     QStringList said;
     Voice::get().setSpeaker([&said](const QString& words) { said += words; });
     run().setOpensReview(false);
-    run().setCountdownSeconds(1);
+    Countdown::get().setSeconds(1);
     ASSERT_TRUE(reach(State::kReady));
     for (const bool on : {true, false}) {
         Voice::get().setOn(on);
@@ -225,13 +226,13 @@ TEST_F(RecordPageTest, LeavingThePageEndsACountdownButNotATake) {
     TestBox box(looping());
     openSession();
     ASSERT_TRUE(connectTo(box));
-    run().setCountdownSeconds(10);
+    Countdown::get().setSeconds(10);
     ASSERT_TRUE(reach(State::kReady));
     key(Qt::Key_Space);
     ASSERT_EQ(run().state(), State::kCountdown);
     page_->leave();
     EXPECT_EQ(run().state(), State::kReady);
-    run().setCountdownSeconds(0);
+    Countdown::get().setSeconds(0);
     ASSERT_TRUE(recordFor(0.1));
     page_->leave();
     EXPECT_EQ(run().state(), State::kRecording);

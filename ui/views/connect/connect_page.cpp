@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "ui/models/part_names.h"
+#include "ui/style/keys.h"
 #include "ui/style/theme.h"
 #include "ui/views/connect/assign_panel.h"
 #include "ui/views/connect/board_card.h"
@@ -89,13 +90,13 @@ QWidget* ConnectPage::makeCentre() {
 
 void ConnectPage::addActions() {
     auto* look = new QAction(tr("Look for devices again"), this);
-    look->setShortcut(Qt::Key_F5);
+    Keys::get().adopt(*look, "connect/look_again", {Qt::Key_F5});
     connect(look, &QAction::triggered, this, [this] { capture_.finder().lookAgain(); });
     blink_ = new QAction(tr("Blink the chosen board"), this);
-    blink_->setShortcut(Qt::Key_B);
+    Keys::get().adopt(*blink_, "connect/blink", {Qt::Key_B});
     connect(blink_, &QAction::triggered, this, &ConnectPage::blink);
     take_off_ = new QAction(tr("Go on without the chosen board"), this);
-    take_off_->setShortcut(Qt::Key_Delete);
+    Keys::get().adopt(*take_off_, "connect/take_off", {Qt::Key_Delete});
     connect(take_off_, &QAction::triggered, this, &ConnectPage::takeOff);
     auto* performer = new QAction(tr("Performer and suit"), this);
     connect(performer, &QAction::triggered, this, [this] { capture_.shared().goTo(Step::kPerformer); });

@@ -8,11 +8,12 @@
 namespace noctule::ui {
 
 RecordActions::RecordActions(RecordPage& page) : PageActions(page), page_(page) {
-    record_ = add(tr("Record or stop"), Qt::Key_Space, [this] { page_.run().press(); });
-    end_countdown_ = add(tr("End the countdown"), Qt::Key_Escape, [this] { page_.run().endCountdown(); });
-    marker_ = add(tr("Marker now"), Qt::Key_M, [this] { page_.run().addMarker(); });
-    note_ = add(tr("Note now"), Qt::Key_N, [this] { page_.center().bar().writeNote(); });
-    add(tr("Take name"), Qt::Key_T, [this] { page_.center().bar().editName(); });
+    record_ = add("record/record", tr("Record or stop"), Qt::Key_Space, [this] { page_.run().press(); });
+    end_countdown_ = add("record/end_countdown", tr("End the countdown"), Qt::Key_Escape,
+                         [this] { page_.run().endCountdown(); });
+    marker_ = add("record/marker", tr("Marker now"), Qt::Key_M, [this] { page_.run().addMarker(); });
+    note_ = add("record/note", tr("Note now"), Qt::Key_N, [this] { page_.center().bar().writeNote(); });
+    add("record/take_name", tr("Take name"), Qt::Key_T, [this] { page_.center().bar().editName(); });
     for (QAction* action : all())
         action->setAutoRepeat(false);  // a key that is held would begin and end takes
     connect(&page.run(), &RecordRun::changed, this, &RecordActions::refresh);

@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/models/countdown.h"
+#include "ui/style/keys.h"
 #include "ui/style/theme.h"
 #include "ui/style/words.h"
 #include "ui/views/scaled_layout.h"
@@ -21,7 +23,6 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kCountdowns_s[] = {0, 3, 5, 10};
 constexpr int kPreRolls_s[] = {0, 2, 5, 10};
 constexpr int kBarHeight = 88;
 constexpr int kRoomForWords = 760;  ///< below it choices are short, and keys are in the tooltips
@@ -44,9 +45,8 @@ template <class Choose>
 void addSeconds(QMenu& menu, const QString& title, const int (&choices_s)[4], int chosen_s, Choose choose) {
     addHeading(menu, title);
     for (const int seconds : choices_s) {
-        QAction* action = menu.addAction(
-            seconds == 0 ? RecordBar::tr("None") : RecordBar::tr("%n second(s)", nullptr, seconds), &menu,
-            [choose, seconds] { choose(seconds); });
+        QAction* action =
+            menu.addAction(RecordBar::secondsChoice(seconds), &menu, [choose, seconds] { choose(seconds); });
         action->setCheckable(true);
         action->setChecked(seconds == chosen_s);
     }
@@ -100,12 +100,17 @@ RecordBar::RecordBar(RecordRun& run, QWidget* parent) : QWidget(parent), run_(ru
     row->addWidget(makeRight(), 1);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     connect(&Theme::get(), &Theme::changed, this, &RecordBar::showChoices);
+    connect(&Keys::get(), &Keys::changed, this, &RecordBar::showChoices);
     connect(&run, &RecordRun::changed, this, &RecordBar::refresh);
     connect(&run, &RecordRun::ticked, this, [this] {
         if (run_.state() == RecordRun::State::kCountdown)
             button_->setCountdown(run_.countdownLeft(), run_.countdownSeconds());
     });
     refresh();
+}
+
+QString RecordBar::secondsChoice(int seconds) {
+    return seconds == 0 ? tr("None") : tr("%n second(s)", nullptr, seconds);
 }
 
 QWidget* RecordBar::makeLeft() {
@@ -116,7 +121,11 @@ QWidget* RecordBar::makeLeft() {
     name_ = new QLineEdit;
     label->setBuddy(name_);
     name_->setAccessibleName(tr("Take name"));
-    name_->setToolTip(tr("Take name (T). Numbers count by themselves, and nothing is overwritten."));
+    followKey(*name_, "record/take_name", Qt::Key_T, [this](const QKeySequence& key) {
+        name_->setToolTip(
+            tr("Take name (%1). Numbers count by themselves, and nothing is overwritten.", "a key")
+                .arg(keysText(key)));
+    });
     keepMinimumWidth(*name_, 108);
     keepMaximumWidth(*name_, 180);
     next_ = new Label({}, TextRole::kSecondary, Ink::kHint);
@@ -160,7 +169,9 @@ QWidget* RecordBar::makeMiddle() {
     auto* column = makeColumn(words, {}, 4);
     column->addStretch();
     column->addWidget(verb_);
-    column->addWidget(new KeyHint(Qt::Key_Space), 0, Qt::AlignLeft);
+    auto* key = new KeyHint(Qt::Key_Space);
+    followKey(*key, "record/record", Qt::Key_Space, [key](const QKeySequence& keys) { key->setKeys(keys); });
+    column->addWidget(key, 0, Qt::AlignLeft);
     column->addStretch();
     keepMinimumWidth(*words, 64);
     row->addWidget(button_);
@@ -177,8 +188,8 @@ QWidget* RecordBar::makeRight() {
     auto* column = makeColumn(content, {}, 2);
     column->addStretch();
     column->addWidget(new Label(tr("While it runs"), TextRole::kCaption, Ink::kHint));
-    marker_ = keyboardFree(makeButton(ButtonKind::kOutlined, tr("Marker"), "marker", Qt::Key_M));
-    note_button_ = keyboardFree(makeButton(ButtonKind::kOutlined, tr("Note"), "note", Qt::Key_N));
+    marker_ = keyboardFree(makeButton(ButtonKind::kOutlined, tr("Marker"), "marker"));
+    note_button_ = keyboardFree(makeButton(ButtonKind::kOutlined, tr("Note"), "note"));
     connect(marker_, &QPushButton::clicked, &run_, &RecordRun::addMarker);
     connect(note_button_, &QPushButton::clicked, this, &RecordBar::writeNote);
     auto* buttons = addRow(column, 8);
@@ -207,8 +218,8 @@ QWidget* RecordBar::makeRight() {
 
 void RecordBar::fillMenu(QMenu& menu) {
     menu.clear();
-    addSeconds(menu, tr("Countdown"), kCountdowns_s, run_.countdownSeconds(),
-               [this](int seconds) { run_.setCountdownSeconds(seconds); });
+    addSeconds(menu, tr("Countdown"), Countdown::kChoices_s, run_.countdownSeconds(),
+               [](int seconds) { Countdown::get().setSeconds(seconds); });
     if (run_.canPreRoll())
         addSeconds(menu, tr("Pre-roll, from before the recording begins"), kPreRolls_s, run_.preRollSeconds(),
                    [this](int seconds) { run_.setPreRollSeconds(seconds); });
@@ -255,8 +266,8 @@ void RecordBar::showChoices() {
     countdown_->setAccessibleName(countdown);
     tones_->setText(!narrow ? tones : run_.tones() ? tr("on", "tones") : tr("off", "tones"));
     tones_->setAccessibleName(tones);
-    marker_->setShortcutHint(narrow ? QKeySequence() : QKeySequence(Qt::Key_M));
-    note_button_->setShortcutHint(narrow ? QKeySequence() : QKeySequence(Qt::Key_N));
+    marker_->setShortcutHint(narrow ? QKeySequence() : Keys::keyOf("record/marker", Qt::Key_M));
+    note_button_->setShortcutHint(narrow ? QKeySequence() : Keys::keyOf("record/note", Qt::Key_N));
 }
 
 QSize RecordBar::sizeHint() const {

@@ -30,6 +30,8 @@ public:
     /// Beside the button: "Record both".
     QString verb() const;
     Button& markerButton() { return *marker_; }
+    /// "None" or "3 seconds", as countdowns are offered.
+    static QString secondsChoice(int seconds);
     Button& countdownButton() { return *countdown_; }
 
     void editName();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/record/record_run.h"
 
-#include <QApplication>
 #include <QDir>
 #include <cmath>
 #include <utility>
@@ -9,6 +8,8 @@
 #include "core/session/shot_list.h"
 #include "core/session/take_folder.h"
 #include "ui/language/core_words.h"
+#include "ui/models/countdown.h"
+#include "ui/models/tones.h"
 #include "ui/models/voice.h"
 #include "ui/style/words.h"
 #include "ui/views/readiness_words.h"
@@ -16,9 +17,9 @@
 namespace noctule::ui {
 namespace {
 
-constexpr const char *kCountdown = "record/countdown_s", *kPreRoll = "record/pre_roll_s",
-                     *kTones = "record/tones", *kReview = "record/open_review", *kBase = "record/base_name";
-constexpr int kTick_ms = 33, kUsualCountdown_s = 3;
+constexpr const char *kPreRoll = "record/pre_roll_s", *kTones = "record/tones",
+                     *kReview = "record/open_review", *kBase = "record/base_name";
+constexpr int kTick_ms = 33;
 constexpr double kLeastRoom_s = 5;  ///< with less the recorder ends a take as soon as it begins
 
 QString sentences(const RecordObstacle& obstacle) {
@@ -31,7 +32,7 @@ QString sentences(const RecordObstacle& obstacle) {
 RecordRun::RecordRun(CaptureContext& capture, QObject* parent)
     : QObject(parent),
       capture_(capture),
-      countdown_s_(capture.shared().settings().value(kCountdown, kUsualCountdown_s).toInt()),
+      countdown_s_(Countdown::get().seconds()),
       pre_roll_s_(capture.shared().settings().value(kPreRoll, 0).toInt()),
       tones_(capture.shared().settings().value(kTones, true).toBool()),
       opens_review_(capture.shared().settings().value(kReview, true).toBool()),
@@ -44,6 +45,10 @@ RecordRun::RecordRun(CaptureContext& capture, QObject* parent)
     connect(&tick_, &QTimer::timeout, this, [this] {
         count();
         emit ticked();
+    });
+    connect(&Countdown::get(), &Countdown::changed, this, [this] {
+        countdown_s_ = Countdown::get().seconds();
+        emit changed();
     });
     LiveSuits& suits = capture.suits();
     suits.forEach(this, [this](SuitInUse& worn) {
@@ -309,12 +314,6 @@ void RecordRun::onEnded(const QString& take, const QString& trouble) {
         capture_.shared().goTo(Step::kReview);
 }
 
-void RecordRun::setCountdownSeconds(int seconds) {
-    countdown_s_ = seconds;
-    capture_.shared().settings().setValue(kCountdown, seconds);
-    emit changed();
-}
-
 void RecordRun::setPreRollSeconds(int seconds) {
     pre_roll_s_ = seconds;
     capture_.shared().settings().setValue(kPreRoll, seconds);
@@ -336,7 +335,7 @@ void RecordRun::setOpensReview(bool opens) {
 /// The system's own bell and the voice: the picture says the same.
 void RecordRun::cue(const QString& words) const {
     if (tones_)
-        QApplication::beep();
+        Tones::get().play();
     Voice::get().say(words);
 }
 

@@ -59,7 +59,6 @@ public:
 
     double countdownLeft() const;
     int countdownSeconds() const { return countdown_s_; }
-    void setCountdownSeconds(int seconds);
     /// The take begins so long before the recording does; 0 where the suit allows none.
     int preRollSeconds() const { return canPreRoll() ? pre_roll_s_ : 0; }
     bool canPreRoll() const { return capture_.suits().canPreRoll(); }

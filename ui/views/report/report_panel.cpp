@@ -3,6 +3,7 @@
 
 #include "core/math/conventions.h"
 #include "core/motion/foot_contacts.h"
+#include "ui/style/keys.h"
 #include "ui/style/words.h"
 #include "ui/views/report/between_panel.h"
 #include "ui/views/report/joint_table.h"
@@ -37,7 +38,9 @@ ReportPanel::ReportPanel(ReviewContext& review, QWidget* parent)
       between_(new BetweenPanel(review)),
       joints_(new JointTable(review.selection())),
       full_report_(makeButton(ButtonKind::kText, tr("Open full report"))),
-      export_(makeButton(ButtonKind::kPrimary, tr("Export"), "export", QKeySequence("Ctrl+E"))) {
+      export_(makeButton(ButtonKind::kPrimary, tr("Export"), "export")) {
+    followKey(*export_, "window/export", QKeySequence("Ctrl+E"),
+              [this](const QKeySequence& key) { export_->setShortcutHint(key); });
     auto* column = makeColumn(this);
     auto* content = new QWidget;
     auto* parts = makeColumn(content);

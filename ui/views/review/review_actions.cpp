@@ -33,43 +33,51 @@ ReviewActions::ReviewActions(Studio& studio, ReviewPage& page)
 void ReviewActions::addPlayback() {
     TimeCursor& time = studio_.time();
     Timeline& timeline = page_.center().timeline();
-    play_ = add(tr("Play"), Qt::Key_Space, [&time] { time.toggle(); });
-    loop_ = add(tr("Loop"), QKeySequence("Ctrl+L"), [&time] { time.setLoop(!time.loops()); });
+    play_ = add("review/play", tr("Play"), Qt::Key_Space, [&time] { time.toggle(); });
+    loop_ = add("review/loop", tr("Loop"), QKeySequence("Ctrl+L"), [&time] { time.setLoop(!time.loops()); });
     loop_->setCheckable(true);
-    add(tr("Next frame"), Qt::Key_Right, [&time] { time.stepFrames(1); });
-    add(tr("Previous frame"), Qt::Key_Left, [&time] { time.stepFrames(-1); });
-    add(tr("One second on"), QKeySequence("Shift+Right"), [&time] { time.stepSeconds(1); });
-    add(tr("One second back"), QKeySequence("Shift+Left"), [&time] { time.stepSeconds(-1); });
-    add(tr("Next marker"), Qt::Key_Period, [&timeline] { timeline.goToMarker(1); });
-    add(tr("Previous marker"), Qt::Key_Comma, [&timeline] { timeline.goToMarker(-1); });
+    add("review/next_frame", tr("Next frame"), Qt::Key_Right, [&time] { time.stepFrames(1); });
+    add("review/previous_frame", tr("Previous frame"), Qt::Key_Left, [&time] { time.stepFrames(-1); });
+    add("review/second_on", tr("One second on"), QKeySequence("Shift+Right"),
+        [&time] { time.stepSeconds(1); });
+    add("review/second_back", tr("One second back"), QKeySequence("Shift+Left"),
+        [&time] { time.stepSeconds(-1); });
+    add("review/next_marker", tr("Next marker"), Qt::Key_Period, [&timeline] { timeline.goToMarker(1); });
+    add("review/previous_marker", tr("Previous marker"), Qt::Key_Comma,
+        [&timeline] { timeline.goToMarker(-1); });
 }
 
 void ReviewActions::addRange() {
     TimeCursor& time = studio_.time();
     TransportBar& transport = page_.center().transport();
-    add(tr("In here"), QKeySequence("Ctrl+I"), [&transport] { transport.setIn(); });
-    add(tr("Out here"), QKeySequence("Ctrl+O"), [&transport] { transport.setOut(); });
-    add(tr("Go to in"), Qt::Key_Home, [&time] { time.setTime(time.in()); });
-    add(tr("Go to out"), Qt::Key_End, [&time] { time.setTime(time.out()); });
-    add(tr("In and out at the ends"), {}, [&time] { time.setRange(0, time.duration()); });
-    add(tr("Marker here"), Qt::Key_M, [&transport] { transport.addMarker(); });
+    add("review/in", tr("In here"), QKeySequence("Ctrl+I"), [&transport] { transport.setIn(); });
+    add("review/out", tr("Out here"), QKeySequence("Ctrl+O"), [&transport] { transport.setOut(); });
+    add("review/go_to_in", tr("Go to in"), Qt::Key_Home, [&time] { time.setTime(time.in()); });
+    add("review/go_to_out", tr("Go to out"), Qt::Key_End, [&time] { time.setTime(time.out()); });
+    add("review/whole_range", tr("In and out at the ends"), {},
+        [&time] { time.setRange(0, time.duration()); });
+    add("review/marker", tr("Marker here"), Qt::Key_M, [&transport] { transport.addMarker(); });
     Timeline& timeline = page_.center().timeline();
-    name_marker_ = add(tr("Name marker"), Qt::Key_F2, [&timeline] { timeline.nameMarker(); });
-    delete_ = add(tr("Delete marker"), Qt::Key_Delete, [&timeline] { timeline.deleteChosen(); });
-    add(tr("Foot contact here"), Qt::Key_Insert, [&timeline] { timeline.addContact(); });
-    found_contacts_ =
-        add(tr("Back to the contacts that were found"), {}, [&timeline] { timeline.restoreFoundContacts(); });
+    name_marker_ =
+        add("review/name_marker", tr("Name marker"), Qt::Key_F2, [&timeline] { timeline.nameMarker(); });
+    delete_ =
+        add("review/delete", tr("Delete marker"), Qt::Key_Delete, [&timeline] { timeline.deleteChosen(); });
+    add("review/foot_contact", tr("Foot contact here"), Qt::Key_Insert,
+        [&timeline] { timeline.addContact(); });
+    found_contacts_ = add("review/found_contacts", tr("Back to the contacts that were found"), {},
+                          [&timeline] { timeline.restoreFoundContacts(); });
 }
 
 void ReviewActions::addTake() {
     SceneArea& scenes = page_.center().scenes();
-    add(tr("Reprocess"), {}, [this] { page_.reprocess(); });
-    add(tr("Attach reference"), {}, [this] { page_.sidebar().reference().chooseFile(); });
-    add(tr("Open full report"), {}, [this] { page_.openFullReport(); });
-    next_performer_ = add(tr("Next performer"), QKeySequence("Shift+P"),
+    add("review/reprocess", tr("Reprocess"), {}, [this] { page_.reprocess(); });
+    add("review/attach_reference", tr("Attach reference"), {},
+        [this] { page_.sidebar().reference().chooseFile(); });
+    add("review/full_report", tr("Open full report"), {}, [this] { page_.openFullReport(); });
+    next_performer_ = add("review/next_performer", tr("Next performer"), QKeySequence("Shift+P"),
                           [this] { PerformerSwitch::showNext(studio_.take()); });
-    side_by_side_ =
-        add(tr("Results side by side"), {}, [&scenes] { scenes.setSideBySide(!scenes.isSideBySide()); });
+    side_by_side_ = add("review/side_by_side", tr("Results side by side"), {},
+                        [&scenes] { scenes.setSideBySide(!scenes.isSideBySide()); });
     side_by_side_->setCheckable(true);
 }
 

@@ -15,15 +15,21 @@ constexpr int kPadding = 16, kIcon = 20, kGap = 14, kRadius = 8;
 
 }  // namespace
 
-BigButton::BigButton(const QString& icon_name, const QString& title, const QString& about,
-                     const QKeySequence& keys, bool primary, QWidget* parent)
-    : QAbstractButton(parent), icon_name_(icon_name), about_(about), keys_(keys), primary_(primary) {
+BigButton::BigButton(const QString& icon_name, const QString& title, const QString& about, bool primary,
+                     QWidget* parent)
+    : QAbstractButton(parent), icon_name_(icon_name), about_(about), primary_(primary) {
     setText(title);
     setAccessibleName(title);
     setAccessibleDescription(about);
     setFocusPolicy(Qt::StrongFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     connect(&Theme::get(), &Theme::changed, this, [this] { updateGeometry(), update(); });
+}
+
+void BigButton::setKeys(const QKeySequence& keys) {
+    keys_ = keys;
+    updateGeometry();
+    update();
 }
 
 QFont BigButton::titleFont() const {

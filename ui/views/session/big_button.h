@@ -11,8 +11,11 @@ class BigButton : public QAbstractButton {
     Q_OBJECT
 public:
     /// `primary`: filled with the accent; one a page.
-    BigButton(const QString& icon_name, const QString& title, const QString& about, const QKeySequence& keys,
-              bool primary, QWidget* parent = nullptr);
+    BigButton(const QString& icon_name, const QString& title, const QString& about, bool primary,
+              QWidget* parent = nullptr);
+
+    /// Drawn at the right.
+    void setKeys(const QKeySequence& keys);
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;

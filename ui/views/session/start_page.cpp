@@ -5,6 +5,7 @@
 #include <QPointer>
 #include <QVBoxLayout>
 
+#include "ui/style/keys.h"
 #include "ui/style/theme.h"
 #include "ui/style/words.h"
 #include "ui/views/job_progress.h"
@@ -84,14 +85,19 @@ QWidget* StartPage::makeHead() {
 QWidget* StartPage::makeChoices() {
     auto* choices = new QWidget;
     auto* column = makeColumn(choices, {}, 8);
-    new_ = new BigButton("new", tr("New session"), tr("A folder for takes, calibration and exports"),
-                         QKeySequence("Ctrl+N"), true);
-    open_ = new BigButton("open", tr("Open session"), tr("Any folder with a session.json"),
-                          QKeySequence("Ctrl+O"), false);
-    motion_ = new BigButton("skeleton", tr("Import motion"), tr("A BVH file, worn by a simulated suit"),
-                            QKeySequence("Ctrl+Shift+M"), false);
+    new_ = new BigButton("new", tr("New session"), tr("A folder for takes, calibration and exports"), true);
+    open_ = new BigButton("open", tr("Open session"), tr("Any folder with a session.json"), false);
+    motion_ =
+        new BigButton("skeleton", tr("Import motion"), tr("A BVH file, worn by a simulated suit"), false);
     try_ = new BigButton("play", tr("Try it with the virtual suit"),
-                         tr("A simulated performer, nothing to plug in"), {}, false);
+                         tr("A simulated performer, nothing to plug in"), false);
+    const auto follow = [](BigButton* button, const char* command, const char* usual) {
+        followKey(*button, command, QKeySequence(usual),
+                  [button](const QKeySequence& key) { button->setKeys(key); });
+    };
+    follow(new_, "window/new_session", "Ctrl+N");
+    follow(open_, "window/open_session", "Ctrl+O");
+    follow(motion_, "window/import_motion", "Ctrl+Shift+M");
     progress_ = new JobProgress;
     connect(&studio_.session(), &SessionModel::opened, this, [this] {
         if (!progress_->isRunning())

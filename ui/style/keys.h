@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// The keys of commands: the usual ones, or one that the operator chose, which the settings keep. A command is
+// called "window/record": the room where its key acts, and its own name. The room "window" is everywhere.
+#pragma once
+
+#include <QAction>
+#include <QKeySequence>
+#include <QObject>
+#include <QPointer>
+#include <functional>
+#include <vector>
+
+namespace noctule::ui {
+
+class Keys : public QObject {
+    Q_OBJECT
+public:
+    static Keys& get();
+
+    /// From now on the action has the keys of the command `name`.
+    void adopt(QAction& action, const QString& name, const QList<QKeySequence>& usual);
+    /// Other usual keys for an action that was adopted.
+    void setUsual(QAction& action, const QList<QKeySequence>& usual);
+    /// Empty for an action whose keys are fixed.
+    QString nameOf(const QAction& action) const;
+    /// The first key, for hints: known also before there is an action.
+    static QKeySequence keyOf(const QString& name, const QKeySequence& usual);
+    static bool actsEverywhere(const QString& name);
+
+    /// Another command that `key` would call where `name` acts, or null.
+    QAction* holderOf(const QKeySequence& key, const QString& name) const;
+    /// Its usual first key again: no choice is kept.
+    void choose(const QString& name, const QKeySequence& key);
+    void restoreUsual();
+
+signals:
+    void changed();
+
+private:
+    struct Adopted {
+        QPointer<QAction> action;
+        QString name;
+        QList<QKeySequence> usual;
+    };
+
+    Keys() = default;
+    const Adopted* find(const QAction& action) const;
+    void applyAll();
+
+    std::vector<Adopted> adopted_;
+};
+
+/// Shows the key of a command now and after each change, as long as `owner` lives.
+void followKey(QObject& owner, const QString& name, const QKeySequence& usual,
+               const std::function<void(const QKeySequence&)>& show);
+
+}  // namespace noctule::ui
