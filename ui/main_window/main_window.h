@@ -106,6 +106,7 @@ private:
     void recordOrStop();
     void showRecording();
     void tellPosesMissing(const QString& take);
+    void showPlaceReset();
     bool mayStopTake();
 
     Studio& studio_;

@@ -28,6 +28,8 @@ void MainWindow::connectSuit() {
         },
         Qt::QueuedConnection);
     connect(&studio_.suits(), &LiveSuits::posesMissing, this, &MainWindow::tellPosesMissing);
+    connect(&studio_.placeReset(), &PlaceReset::changed, this, &MainWindow::showPlaceReset);
+    showPlaceReset();
     showRecording();
 }
 
@@ -40,6 +42,14 @@ void MainWindow::tellPosesMissing(const QString& take) {
     notices_->add({Tone::kWarn, tr("%1 has no poses yet", "name of a take").arg(take),
                    tr("The live view skipped part of the sound; the take holds all of it. Process it."),
                    tr("Process"), process, "no poses"});
+}
+
+void MainWindow::showPlaceReset() {
+    const QString why_not = studio_.placeReset().whyNot();
+    for (const Command command : {Command::kResetPlace, Command::kResetPlaceLater}) {
+        (*actions_)[command]->setEnabled(why_not.isEmpty());
+        (*actions_)[command]->setToolTip(why_not);  // empty: its text
+    }
 }
 
 RecordRun& MainWindow::recordRun() {

@@ -23,6 +23,10 @@ SessionNotices::SessionNotices(Studio& studio, Notices& notices, QObject* parent
     connect(&studio.session(), &SessionModel::takeTrashed, this, &SessionNotices::tellTrashed);
     connect(&studio.session(), &SessionModel::takeMoved, this,
             [this](const QString& outcome) { offerUndo(outcome, {}); });
+    connect(&studio.placeReset(), &PlaceReset::wasReset, this, [this](const QString& who) {
+        offerUndo(tr("Heading and place of %1 are reset").arg(who),
+                  tr("The live picture alone changes; takes stay as they are recorded."));
+    });
     gone_timer_.setSingleShot(true);
     connect(&gone_timer_, &QTimer::timeout, this, [this] { notices_.remove(kGone); });
     // Any further step makes Undo mean something else.

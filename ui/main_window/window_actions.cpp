@@ -57,6 +57,11 @@ void WindowActions::addSuitAndHelpActions() {
     add(Command::kRecord, tr("Record or stop"), {QKeySequence("Ctrl+R")}, "");
     add(Command::kPerformer, tr("Performer and suit"), {}, "mesh");
     add(Command::kPutSuitOn, tr("Put the suit on"), {}, "note");
+    add(Command::kResetPlace, tr("Reset heading and place"), {QKeySequence("Ctrl+H")}, "here");
+    add(Command::kResetPlaceLater, tr("Reset heading and place after the countdown"),
+        {QKeySequence("Ctrl+Shift+H")}, "");
+    for (const Command command : {Command::kResetPlace, Command::kResetPlaceLater})
+        actions_.at(command)->setAutoRepeat(false);
     add(Command::kShortcuts, tr("Shortcuts"), {QKeySequence("F1")}, "");
     add(Command::kTour, tr("Tour of the five steps"), {}, "info");
     add(Command::kNews, tr("What is new"), {}, "history");

@@ -1,24 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/record/record_run.h"
 
-#include <QApplication>
 #include <QDir>
-#include <cmath>
 #include <utility>
 
 #include "core/session/shot_list.h"
 #include "core/session/take_folder.h"
 #include "ui/language/core_words.h"
-#include "ui/models/voice.h"
 #include "ui/style/words.h"
 #include "ui/views/readiness_words.h"
 
 namespace noctule::ui {
 namespace {
 
-constexpr const char *kCountdown = "record/countdown_s", *kPreRoll = "record/pre_roll_s",
-                     *kTones = "record/tones", *kReview = "record/open_review", *kBase = "record/base_name";
-constexpr int kTick_ms = 33, kUsualCountdown_s = 3;
+constexpr const char *kPreRoll = "record/pre_roll_s", *kReview = "record/open_review",
+                     *kBase = "record/base_name";
+constexpr int kTick_ms = 33;
 constexpr double kLeastRoom_s = 5;  ///< with less the recorder ends a take as soon as it begins
 
 QString sentences(const RecordObstacle& obstacle) {
@@ -31,9 +28,9 @@ QString sentences(const RecordObstacle& obstacle) {
 RecordRun::RecordRun(CaptureContext& capture, QObject* parent)
     : QObject(parent),
       capture_(capture),
-      countdown_s_(capture.shared().settings().value(kCountdown, kUsualCountdown_s).toInt()),
+      countdown_(capture.shared().settings().value(kCountdownSetting, kUsualCountdown_s).toInt()),
       pre_roll_s_(capture.shared().settings().value(kPreRoll, 0).toInt()),
-      tones_(capture.shared().settings().value(kTones, true).toBool()),
+      tones_(capture.shared().settings().value(kTonesSetting, true).toBool()),
       opens_review_(capture.shared().settings().value(kReview, true).toBool()),
       base_(capture.shared()
                 .settings()
@@ -42,7 +39,8 @@ RecordRun::RecordRun(CaptureContext& capture, QObject* parent)
     tick_.setInterval(kTick_ms);
     tick_.setTimerType(Qt::PreciseTimer);
     connect(&tick_, &QTimer::timeout, this, [this] {
-        count();
+        if (countdown_.look(tones_))
+            beginOwn();
         emit ticked();
     });
     LiveSuits& suits = capture.suits();
@@ -55,6 +53,10 @@ RecordRun::RecordRun(CaptureContext& capture, QObject* parent)
     connect(&suits, &LiveSuits::changed, this, &RecordRun::follow);
     connect(&suits, &LiveSuits::recordingStarted, this, &RecordRun::onStarted);
     connect(&suits, &LiveSuits::recordingEnded, this, &RecordRun::onEnded);
+    connect(&capture.placeReset(), &PlaceReset::marked, this, [this](double t_s, const QString& label) {
+        marks_.push_back({TakeMark::Kind::kMarker, t_s, label});
+        emit marksChanged();
+    });
     connect(&capture.shared().session(), &SessionModel::opened, this, [this] {
         shot_ = -1;
         without_shot_ = false;
@@ -149,7 +151,7 @@ RecordRun::State RecordRun::stateNow() const {
         default:
             break;
     }
-    if (counting_.isValid())
+    if (countdown_.runs())
         return State::kCountdown;
     return obstacle_ ? State::kRefused : State::kReady;
 }
@@ -162,7 +164,7 @@ void RecordRun::follow() {
     const bool cannot = obstacle_ && !obstacle_.may_record_anyway;
     const LiveSuit::Phase phase = capture_.suits().phase();
     if (cannot || phase == LiveSuit::Phase::kNone || phase == LiveSuit::Phase::kSaving)
-        counting_.invalidate();
+        countdown_.end();
     const State now = stateNow();
     const bool ticks = now == State::kCountdown || now == State::kRecording;
     if (ticks && !tick_.isActive())
@@ -204,36 +206,18 @@ void RecordRun::recordAnyway() {
 
 void RecordRun::beginOrCount() {
     told_notes_.clear();
-    if (countdown_s_ == 0)
+    if (countdown_.seconds() == 0)
         return beginOwn();
-    counting_.start();
-    last_second_ = countdown_s_;
-    cue(QString::number(last_second_));
+    countdown_.start(tones_);
     follow();
 }
 
 bool RecordRun::endCountdown() {
-    if (!counting_.isValid())
+    if (!countdown_.runs())
         return false;
-    counting_.invalidate();
+    countdown_.end();
     follow();
     return true;
-}
-
-double RecordRun::countdownLeft() const {
-    return counting_.isValid() ? std::max(0.0, countdown_s_ - static_cast<double>(counting_.elapsed()) * 1e-3)
-                               : 0;
-}
-
-void RecordRun::count() {
-    if (!counting_.isValid())
-        return;
-    const double left_s = countdownLeft();
-    if (left_s <= 0)
-        return beginOwn();
-    const int second = static_cast<int>(std::ceil(left_s));
-    if (std::exchange(last_second_, second) != second)
-        cue(QString::number(second));
 }
 
 void RecordRun::beginOwn() {
@@ -242,7 +226,7 @@ void RecordRun::beginOwn() {
 }
 
 QString RecordRun::begin(const QString& base) {
-    counting_.invalidate();
+    countdown_.end();
     LiveSuit::TakePlan plan;
     plan.base_name = base;
     plan.pre_roll_s = preRollSeconds();
@@ -310,8 +294,8 @@ void RecordRun::onEnded(const QString& take, const QString& trouble) {
 }
 
 void RecordRun::setCountdownSeconds(int seconds) {
-    countdown_s_ = seconds;
-    capture_.shared().settings().setValue(kCountdown, seconds);
+    countdown_.setSeconds(seconds);
+    capture_.shared().settings().setValue(kCountdownSetting, seconds);
     emit changed();
 }
 
@@ -323,7 +307,7 @@ void RecordRun::setPreRollSeconds(int seconds) {
 
 void RecordRun::setTones(bool tones) {
     tones_ = tones;
-    capture_.shared().settings().setValue(kTones, tones);
+    capture_.shared().settings().setValue(kTonesSetting, tones);
     emit changed();
 }
 
@@ -331,13 +315,6 @@ void RecordRun::setOpensReview(bool opens) {
     opens_review_ = opens;
     capture_.shared().settings().setValue(kReview, opens);
     emit changed();
-}
-
-/// The system's own bell and the voice: the picture says the same.
-void RecordRun::cue(const QString& words) const {
-    if (tones_)
-        QApplication::beep();
-    Voice::get().say(words);
 }
 
 QString RecordRun::takeName() const {
