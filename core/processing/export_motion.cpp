@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/body/floor_move.h"
 #include "core/math/rotation.h"
 #include "core/processing/bone_confidence.h"
 #include "core/processing/contacts_in_force.h"
@@ -13,16 +14,6 @@
 namespace noctule {
 namespace {
 
-/// Turn about the vertical that takes +Z to where the root faces. Seen from right above or below (lying), the
-/// root's up says more than its forward.
-Quaterniond headingOf(const Quaterniond& q_world_root) {
-    const Vector3d forward = q_world_root * Vector3d::UnitZ();
-    const Vector3d facing = std::hypot(forward.x(), forward.z()) > 0.1
-                                ? forward
-                                : Vector3d(q_world_root * Vector3d::UnitY() * -forward.y());
-    return axisAngle(Vector3d::UnitY(), std::atan2(facing.x(), facing.z()));
-}
-
 void holdRoot(MotionClip& clip, RootMotion root) {
     if (root == RootMotion::kMoving)
         return;
@@ -30,7 +21,9 @@ void holdRoot(MotionClip& clip, RootMotion root) {
     for (Pose& pose : clip.frames) {
         pose.p_world_root = Vector3d(first.x(), pose.p_world_root.y(), first.z());
         if (root == RootMotion::kHeading)
-            pose.q_parent_joint[0] = headingOf(pose.q_parent_joint[0]).conjugate() * pose.q_parent_joint[0];
+            pose.q_parent_joint[0] =
+                axisAngle(Vector3d::UnitY(), floorHeading(pose.q_parent_joint[0])).conjugate() *
+                pose.q_parent_joint[0];
     }
 }
 

@@ -5937,6 +5937,58 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
 </context>
 <context>
+    <name>noctule::ui::PlaceReset</name>
+    <message>
+        <source>Reset heading and place</source>
+        <translation>Richtung und Platz zurücksetzen</translation>
+    </message>
+    <message>
+        <source>No suit is connected. Connect one first.</source>
+        <translation>Kein Anzug ist verbunden. Zuerst einen verbinden.</translation>
+    </message>
+    <message>
+        <source>The room's anchors give heading and place.</source>
+        <translation>Richtung und Platz kommen von den Ankern des Raums.</translation>
+    </message>
+    <message>
+        <source>No sound arrives from the suit.</source>
+        <translation>Vom Anzug kommt kein Schall an.</translation>
+    </message>
+    <message>
+        <source>No body is shown live.</source>
+        <translation>Live ist kein Körper zu sehen.</translation>
+    </message>
+    <message>
+        <source>Heading and place were not reset</source>
+        <translation>Richtung und Platz wurden nicht zurückgesetzt</translation>
+    </message>
+    <message>
+        <source>heading and place reset</source>
+        <translation>Richtung und Platz zurückgesetzt</translation>
+    </message>
+    <message>
+        <source>heading and place reset, taken back</source>
+        <translation>Zurücksetzen von Richtung und Platz zurückgenommen</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>performer, what a marker in the take says</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Heading and place are here</source>
+        <translation>Richtung und Platz sind hier</translation>
+    </message>
+    <message>
+        <source>The countdown has ended. Heading and place stay.</source>
+        <translation>Der Countdown ist beendet. Richtung und Platz bleiben.</translation>
+    </message>
+    <message>
+        <source>Heading and place are reset in %1&#xa0;s. The same key ends the countdown.</source>
+        <translation>In %1&#xa0;s werden Richtung und Platz zurückgesetzt. Dieselbe Taste beendet den Countdown.</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::PlotLane</name>
     <message>
         <source>%1 ±%2</source>
@@ -7162,6 +7214,10 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Open Connect</source>
         <translation>Verbinden öffnen</translation>
+    </message>
+    <message>
+        <source>Reset heading and place</source>
+        <translation>Richtung und Platz zurücksetzen</translation>
     </message>
 </context>
 <context>
@@ -10431,6 +10487,14 @@ Median; gut: unter %1</translation>
         <source>Process</source>
         <translation>Verarbeiten</translation>
     </message>
+    <message>
+        <source>Heading and place of %1 are reset</source>
+        <translation>Richtung und Platz von %1 sind zurückgesetzt</translation>
+    </message>
+    <message>
+        <source>The live picture alone changes; takes stay as they are recorded.</source>
+        <translation>Nur das Live-Bild ändert sich; Aufnahmen bleiben, wie sie aufgenommen werden.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::SessionSaver</name>
@@ -11949,6 +12013,14 @@ Drehen, beide Richtungen x3</translation>
     <message>
         <source>Robot</source>
         <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Reset heading and place</source>
+        <translation>Richtung und Platz zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Reset heading and place after the countdown</source>
+        <translation>Richtung und Platz nach dem Countdown zurücksetzen</translation>
     </message>
 </context>
 <context>

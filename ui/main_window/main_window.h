@@ -105,6 +105,7 @@ private:
     RecordRun& recordRun();
     void recordOrStop();
     void showRecording();
+    void showPlaceReset();
     bool mayStopTake();
 
     Studio& studio_;

@@ -63,6 +63,8 @@ void MainWindow::connectActions() {
     on(Command::kRecord, [this] { recordOrStop(); });
     on(Command::kPerformer, [this] { goTo(Step::kPerformer); });
     on(Command::kPutSuitOn, [this] { PutOnDialog(studio_, this).exec(); });
+    on(Command::kResetPlace, [this] { studio_.placeReset().reset(); });
+    on(Command::kResetPlaceLater, [this] { studio_.placeReset().resetLater(); });
     on(Command::kBody, [this] { BodyDialog(studio_, this).exec(); });
     on(Command::kJobs, [this] { jobs_panel_->toggle(); });
     on(Command::kNextPanel, [this] { focusNextPanel(true); });

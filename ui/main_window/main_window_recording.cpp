@@ -27,7 +27,17 @@ void MainWindow::connectSuit() {
                 close();
         },
         Qt::QueuedConnection);
+    connect(&studio_.placeReset(), &PlaceReset::changed, this, &MainWindow::showPlaceReset);
+    showPlaceReset();
     showRecording();
+}
+
+void MainWindow::showPlaceReset() {
+    const QString why_not = studio_.placeReset().whyNot();
+    for (const Command command : {Command::kResetPlace, Command::kResetPlaceLater}) {
+        (*actions_)[command]->setEnabled(why_not.isEmpty());
+        (*actions_)[command]->setToolTip(why_not);  // empty: its text
+    }
 }
 
 RecordRun& MainWindow::recordRun() {

@@ -13,7 +13,7 @@
 
 #include "ui/language/language.h"
 #include "ui/main_window/look.h"
-#include "ui/models/countdown.h"
+#include "ui/models/countdown_setting.h"
 #include "ui/models/tones.h"
 #include "ui/models/voice.h"
 #include "ui/style/theme.h"
@@ -160,15 +160,15 @@ void PreferencesDialog::chooseSessionsFolder() {
 void PreferencesDialog::addRecording(QVBoxLayout& column) {
     FormRows* rows = addSection(column, tr("Recording"));
     countdown_ = new QComboBox;
-    for (const int seconds : Countdown::kChoices_s)
+    for (const int seconds : CountdownSetting::kChoices_s)
         countdown_->addItem(RecordBar::secondsChoice(seconds), seconds);
     rows->addRow(tr("Countdown"), countdown_);
     const auto show_countdown = [this] {
-        countdown_->setCurrentIndex(countdown_->findData(Countdown::get().seconds()));
+        countdown_->setCurrentIndex(countdown_->findData(CountdownSetting::get().seconds()));
     };
-    connect(&Countdown::get(), &Countdown::changed, this, show_countdown);
+    connect(&CountdownSetting::get(), &CountdownSetting::changed, this, show_countdown);
     connect(countdown_, QOverload<int>::of(&QComboBox::activated), this,
-            [this] { Countdown::get().setSeconds(countdown_->currentData().toInt()); });
+            [this] { CountdownSetting::get().setSeconds(countdown_->currentData().toInt()); });
     show_countdown();
     addRemoteStart(*rows);
 }

@@ -29,6 +29,10 @@ SessionNotices::SessionNotices(Studio& studio, Notices& notices, QObject* parent
         if (takeWithoutPoses() < 0)
             notices_.remove(kWithoutPoses);
     });
+    connect(&studio.placeReset(), &PlaceReset::wasReset, this, [this](const QString& who) {
+        offerUndo(tr("Heading and place of %1 are reset").arg(who),
+                  tr("The live picture alone changes; takes stay as they are recorded."));
+    });
     gone_timer_.setSingleShot(true);
     connect(&gone_timer_, &QTimer::timeout, this, [this] { notices_.remove(kGone); });
     // Any further step makes Undo mean something else.

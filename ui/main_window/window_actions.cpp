@@ -39,6 +39,8 @@ const std::map<Command, const char*>& namesOfCommands() {
         {Command::kBody, "window/body"},
         {Command::kPerformer, "window/performer"},
         {Command::kPutSuitOn, "window/put_suit_on"},
+        {Command::kResetPlace, "window/reset_place"},
+        {Command::kResetPlaceLater, "window/reset_place_later"},
         {Command::kShortcuts, "window/shortcuts"},
         {Command::kTour, "window/tour"},
         {Command::kNews, "window/news"},
@@ -103,6 +105,11 @@ void WindowActions::addSuitAndHelpActions() {
     add(Command::kRecord, tr("Record or stop"), {QKeySequence("Ctrl+R")}, "");
     add(Command::kPerformer, tr("Performer and suit"), {}, "mesh");
     add(Command::kPutSuitOn, tr("Put the suit on"), {}, "note");
+    add(Command::kResetPlace, tr("Reset heading and place"), {QKeySequence("Ctrl+H")}, "here");
+    add(Command::kResetPlaceLater, tr("Reset heading and place after the countdown"),
+        {QKeySequence("Ctrl+Shift+H")}, "");
+    for (const Command command : {Command::kResetPlace, Command::kResetPlaceLater})
+        actions_.at(command)->setAutoRepeat(false);
     add(Command::kShortcuts, tr("Shortcuts"), {QKeySequence("F1")}, "");
     add(Command::kTour, tr("Tour of the five steps"), {}, "info");
     add(Command::kNews, tr("What is new"), {}, "history");

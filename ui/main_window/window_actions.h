@@ -39,6 +39,8 @@ enum class Command {
     kBody,
     kPerformer,
     kPutSuitOn,
+    kResetPlace,
+    kResetPlaceLater,
     kShortcuts,
     kTour,
     kNews,

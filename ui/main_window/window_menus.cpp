@@ -77,7 +77,7 @@ void WindowMenus::addPanels(const QList<QDockWidget*>& docks) {
 }
 
 void WindowMenus::buildSuitAndHelp() {
-    suit_->addActions({actions_[Command::kPerformer], actions_[Command::kPutSuitOn]});
+    suit_->setToolTipsVisible(true);  // they say why a command is grey
     help_->addActions({actions_[Command::kDocuments], actions_[Command::kShortcuts], actions_[Command::kTour],
                        actions_[Command::kPutSuitOn], actions_[Command::kNews]});
     help_->addSeparator();
@@ -86,7 +86,8 @@ void WindowMenus::buildSuitAndHelp() {
 
 void WindowMenus::showPageActions(Step step, const QList<QAction*>& page_actions) {
     suit_->clear();
-    suit_->addActions({actions_[Command::kPerformer], actions_[Command::kPutSuitOn]});
+    suit_->addActions({actions_[Command::kPerformer], actions_[Command::kPutSuitOn],
+                       actions_[Command::kResetPlace], actions_[Command::kResetPlaceLater]});
     take_->clear();
     take_->addActions({actions_[Command::kRecord], actions_[Command::kImportTakes]});
     QMenu* menu = step == Step::kPerformer || step == Step::kRobot ? suit_ : take_;

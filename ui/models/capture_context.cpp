@@ -26,7 +26,8 @@ CaptureContext::CaptureContext(SharedContext& shared)
              {[&shared] { return shared.takesFolder(); }, suitsFolder()}),
       virtual_suit_(shared.jobs(), virtualSuitParts(shared.parts())),
       second_virtual_suit_(shared.jobs(), virtualSuitParts(shared.parts())),
-      remote_start_(shared.settings()) {
+      remote_start_(shared.settings()),
+      place_reset_(suits_, shared.session(), shared.settings()) {
     connectSuits();
     connectVirtualSuits();
 }
@@ -43,6 +44,7 @@ void CaptureContext::connectSuits() {
     QObject::connect(&suits_, &LiveSuits::warned, &here_,
                      [this](const QString& what) { emit shared_.warned(what, About::kCapture); });
     QObject::connect(&suits_, &LiveSuits::refused, &shared_, &SharedContext::say);
+    QObject::connect(&place_reset_, &PlaceReset::said, &shared_, &SharedContext::say);
     suits_.forEach(&here_, [this](SuitInUse& worn) {
         QObject::connect(&worn.suit, &LiveSuit::phaseChanged, &here_, [this, &worn] { followSuit(worn); });
         CalibrationShelf& shelf = worn.calibrations;

@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 
 #include "ui/models/live_suits.h"
+#include "ui/models/place_reset.h"
 #include "ui/models/remote_start.h"
 #include "ui/models/shared_context.h"
 #include "ui/models/suit_finder.h"
@@ -29,6 +30,7 @@ public:
     const std::optional<CheckedSuit>& checked() const { return suits_.current().checked; }
     void setChecked(const std::optional<CheckedSuit>& checked);
     RemoteStart& remoteStart() { return remote_start_; }
+    PlaceReset& placeReset() { return place_reset_; }
     /// Where calibrations of suits are kept beyond sessions.
     QString suitsFolder() const;
 
@@ -55,6 +57,7 @@ private:
     LiveSuits suits_;
     VirtualSuit virtual_suit_, second_virtual_suit_;
     RemoteStart remote_start_;
+    PlaceReset place_reset_;
     bool virtual_suit_ends_ = false, second_virtual_suit_ends_ = false, second_virtual_suit_waits_ = false;
     QObject here_;  ///< receives what is told; gone before all others
 };

@@ -1,28 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
-// Seconds from pressing Record to the start of a take. One setting for the whole program; Record and
-// Preferences both show it.
+// Seconds counted down aloud, by tones and the voice, for a performer whose back is to the
+// screen. It has no timer: whoever shows it looks often.
 #pragma once
 
-#include <QObject>
+#include <QString>
+#include <functional>
 
 namespace noctule::ui {
 
-class Countdown : public QObject {
-    Q_OBJECT
+inline constexpr const char* kTonesSetting = "record/tones";
+
+class Countdown {
 public:
-    static constexpr int kChoices_s[] = {0, 3, 5, 10};  ///< 0: none
+    using Clock = std::function<qint64()>;  ///< ms, never back
+    static Clock steadyClock();
 
-    static Countdown& get();
+    explicit Countdown(int seconds, Clock now_ms = steadyClock());
 
-    /// Kept in the settings; 3 by default.
-    int seconds() const;
-    void setSeconds(int seconds);
+    int seconds() const { return seconds_; }
+    void setSeconds(int seconds) { seconds_ = seconds; }
+    void start(bool tones);
+    void end() { begun_ms_ = -1; }
+    bool runs() const { return begun_ms_ >= 0; }
+    /// 0 when it does not run.
+    double left_s() const;
+    /// Tells each second once. True: it is over, and does not run any more.
+    bool look(bool tones);
 
-signals:
-    void changed();
+    /// What the picture says as well.
+    static void cue(const QString& words, bool tones);
 
 private:
-    Countdown() = default;
+    int seconds_;
+    Clock now_ms_;
+    qint64 begun_ms_ = -1;
+    int told_s_ = 0;
 };
 
 }  // namespace noctule::ui

@@ -156,6 +156,8 @@ signals:
     void frameChanged();
     /// suit(), actor() or calibration() differ.
     void wearingChanged();
+    /// The poses of frame() begin anew, at the origin.
+    void streamBegan();
     void blinkingChanged();
     void recordingStarted(const QString& take_name);
     /// Over and saved; the take is in the session's list. `trouble` is empty when the operator stopped it.
@@ -182,7 +184,7 @@ private:
     void evidenceEnded(const StreamResult& result);
     std::optional<link::Settings> settings() const;
     void begin(const std::optional<TakePlan>& plan);
-    void begun(bool of_take, const std::optional<Error>& trouble);
+    void begun(bool of_take, bool in_midst, const std::optional<Error>& trouble);
     Phase phaseWithoutTake() const;
     void endTake();
     void ended(const StreamResult& result, bool unasked);

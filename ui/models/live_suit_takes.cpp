@@ -112,15 +112,16 @@ void LiveSuit::begin(const std::optional<TakePlan>& plan) {
             }
             return beginStream(*live, request, job);
         },
-        [self = QPointer(this), connection = connection_, of_take](Result<Trouble> trouble) -> QString {
+        [self = QPointer(this), connection = connection_, of_take,
+         in_midst](Result<Trouble> trouble) -> QString {
             if (self && self->connection_ == connection)
-                self->begun(of_take, trouble ? *trouble : Trouble(trouble.error()));
+                self->begun(of_take, in_midst, trouble ? *trouble : Trouble(trouble.error()));
             return {};
         },
         Jobs::Loudness::kQuiet);
 }
 
-void LiveSuit::begun(bool of_take, const std::optional<Error>& trouble) {
+void LiveSuit::begun(bool of_take, bool in_midst, const std::optional<Error>& trouble) {
     working_ = false;
     if (is_lent_)
         return;  // a take of several begins instead, and tells what is wrong
@@ -139,6 +140,8 @@ void LiveSuit::begun(bool of_take, const std::optional<Error>& trouble) {
     }
     told_ = false;
     since_trouble_.invalidate();
+    if (!in_midst)
+        emit streamBegan();
     if (!of_take) {
         if (const auto plan = std::exchange(next_take_, std::nullopt))
             return begin(plan);
@@ -320,6 +323,8 @@ void LiveSuit::followTake(Phase phase, const QString& take_name) {
     take_name_ = take_name;
     if (const auto now = live_->recording())
         recorded_ = now;
+    if (phase == Phase::kRecording)
+        emit streamBegan();
     setPhase(phase);
 }
 

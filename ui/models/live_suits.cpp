@@ -47,6 +47,8 @@ SuitInUse& LiveSuits::make() {
     connect(&worn.suit, &LiveSuit::phaseChanged, this, [this, &worn] { followPhase(worn); });
     connect(&worn.suit, &LiveSuit::statusChanged, this, &LiveSuits::changed);
     connect(&worn.suit, &LiveSuit::wearingChanged, this, &LiveSuits::changed);
+    connect(&worn.suit, &LiveSuit::streamBegan, this,
+            [&worn] { worn.floor = std::make_shared<FloorMove>(); });
     connect(&worn.suit, &LiveSuit::recordingStarted, this, &LiveSuits::recordingStarted);
     connect(&worn.suit, &LiveSuit::recordingEnded, this, &LiveSuits::recordingEnded);
     connect(&worn.suit, &LiveSuit::posesMissing, this, &LiveSuits::posesMissing);
@@ -133,6 +135,8 @@ void LiveSuits::add(const QString& address, const KnownWearing& known) {
 /// When the one that was looked at leaves, another one is.
 void LiveSuits::followPhase(SuitInUse& worn) {
     const auto others = connected();
+    if (worn.suit.phase() == Phase::kNone)
+        worn.floor = std::make_shared<FloorMove>();
     if (worn.suit.phase() == Phase::kConnecting) {
         worn.is_beside = others.size() > 1;
         worn.performer = -1;

@@ -11,6 +11,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "core/body/floor_move.h"
 #include "devices/live/record_take.h"
 #include "ui/models/calibration_shelf.h"
 #include "ui/models/live_suit.h"
@@ -40,6 +41,8 @@ struct SuitInUse {
     /// Connected while another one was: worn by a performer of its own, not the session's current one.
     bool is_beside = false;
     int performer = -1;  ///< of the session, where `is_beside`
+    /// Where its live body is shown (place_reset.h); another one for each stream.
+    std::shared_ptr<FloorMove> floor = std::make_shared<FloorMove>();
 };
 
 class LiveSuits : public QObject {

@@ -295,7 +295,7 @@ void RobotCenter::wear() {
 
 void RobotCenter::showFrame() {
     if (isVisible())
-        live_->showFrame(studio_.suit().frame());
+        live_->showFrame(studio_.suit().frame(), false, *studio_.suits().current().floor);
 }
 
 void RobotCenter::showEvent(QShowEvent*) {

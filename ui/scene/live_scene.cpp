@@ -11,8 +11,10 @@ constexpr double kHeardFor_s = 0.2;
 
 constexpr double kLetterOverHead_m = 0.32;
 
-/// Before the first one, where its own stream has it; each next one further to the side.
-Pose inRow(Pose pose, int performer) {
+/// Before the first one, where its own stream has it or where it was reset to; each next one further to the
+/// side.
+Pose inRow(const TimedPose& shown, const FloorMove& floor, int performer) {
+    Pose pose = movedOnFloor(*shown.pose, floor);
     pose.p_world_root.x() += LiveScene::kApart_m * performer;
     return pose;
 }
@@ -41,7 +43,7 @@ void LiveScene::addOther(ComposedScene& composed, const LiveCompanion& other, si
         return;
     const SceneColors colors = other.is_lost ? in_view.faded() : in_view;
     const Skeleton& skeleton = other.wearer.actor.skeleton;
-    const Pose pose = inRow(*other.frame->pose->pose, other.performer);
+    const Pose pose = inRow(*other.frame->pose, other.floor, other.performer);
     const BodyPlaces places = placeBody(skeleton, pose, other.wearer.suit, &*other.wearer.calibration);
     const BodyLook look = review.shared().look();
     const bool has_mesh = layers.has(SceneLayer::kMesh) && (look.ours || look.worn);
@@ -73,7 +75,7 @@ ComposedScene LiveScene::compose(ReviewContext& review, const SceneLayers& layer
     ComposedScene composed;
     Scene& scene = composed.scene;
     const bool has_pose = hasPose(wearer_, frame_);
-    const Pose pose = has_pose ? inRow(*frame_->pose->pose, performer_) : Pose{};
+    const Pose pose = has_pose ? inRow(*frame_->pose, floor_, performer_) : Pose{};
     addRoom(scene, in_view, layers, has_pose ? pose.p_world_root : Vector3d::Zero());
     for (size_t i = 0; i < others_.size(); ++i)
         addOther(composed, others_[i], i, review, layers, in_view);

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/body/actor.h"
+#include "core/body/floor_move.h"
 #include "core/suit/calibration.h"
 #include "devices/live/live_processor.h"
 #include "ui/scene/take_scene.h"
@@ -27,6 +28,7 @@ struct LiveCompanion {
     std::shared_ptr<const LiveFrame> frame;
     int performer = 0;     ///< 0 for A
     bool is_lost = false;  ///< the frame is the last one before its link broke
+    FloorMove floor{};     ///< of its body, before it is put into the row
 };
 
 class LiveScene {
@@ -40,11 +42,14 @@ public:
     void setWearer(LiveWearer wearer) { wearer_ = std::move(wearer); }
     const LiveWearer& wearer() const { return wearer_; }
     /// Lost: the frame is the last one before the link broke. Its body is faded and hears nothing.
-    void setFrame(std::shared_ptr<const LiveFrame> frame, bool is_lost) {
+    /// `floor`: of its body, before it is put into the row.
+    void setFrame(std::shared_ptr<const LiveFrame> frame, bool is_lost, const FloorMove& floor = {}) {
         frame_ = std::move(frame);
         is_lost_ = is_lost;
+        floor_ = floor;
     }
     const std::shared_ptr<const LiveFrame>& frame() const { return frame_; }
+    const FloorMove& floor() const { return floor_; }
 
     ComposedScene compose(ReviewContext& review, const SceneLayers& layers);
 
@@ -56,6 +61,7 @@ private:
     LiveWearer wearer_;
     std::shared_ptr<const LiveFrame> frame_;
     bool is_lost_ = false;
+    FloorMove floor_;
     FittedBody body_;
     int performer_ = 0;
     std::vector<LiveCompanion> others_;

@@ -3,6 +3,7 @@
 
 #include <QEvent>
 #include <QFileDialog>
+#include <QLayout>
 #include <QPainter>
 #include <QResizeEvent>
 #include <QStandardPaths>
@@ -163,6 +164,11 @@ void SceneView::layOut() {
     const int right = width() - margin - parts_->beside_tools_px;
     parts_->tools->fitInto(right - left);
     parts_->tools->move(parts_->live ? right - parts_->tools->width() : margin, margin);
+}
+
+void SceneView::addTool(QWidget* tool) {
+    parts_->tools->layout()->addWidget(tool);
+    layOut();
 }
 
 void SceneView::setRoomBesideTools(int width_px) {

@@ -42,6 +42,8 @@ public:
 
     /// Room at the right end of the row of tools for what somebody else puts there, in pixels.
     void setRoomBesideTools(int width_px);
+    /// One more at the end of the row of tools, which owns it.
+    void addTool(QWidget* tool);
 
     /// Which motion of the take; kShown at first.
     void setSubject(SceneSubject subject);
@@ -57,7 +59,7 @@ public:
     /// Of a live suit: who else is there, and its own place among them.
     void setCompany(int performer, std::vector<LiveCompanion> others);
     /// Null: nothing comes. Lost: its link broke after this frame.
-    void showFrame(std::shared_ptr<const LiveFrame> frame, bool is_lost = false);
+    void showFrame(std::shared_ptr<const LiveFrame> frame, bool is_lost = false, const FloorMove& floor = {});
     /// From showFrame() to the picture on the screen.
     const LatencyHistogram& frameDelays() const;
 

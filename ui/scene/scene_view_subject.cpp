@@ -84,15 +84,16 @@ void SceneView::setCompany(int performer, std::vector<LiveCompanion> others) {
         parts_->framed.clear();
 }
 
-void SceneView::showFrame(std::shared_ptr<const LiveFrame> frame, bool is_lost) {
+void SceneView::showFrame(std::shared_ptr<const LiveFrame> frame, bool is_lost, const FloorMove& floor) {
     if (!parts_->live || !parts_->canvas)
         return;
     if (frame)
         parts_->since_frame.start();
     const auto& before = parts_->live->frame();
-    if (frame && before && frame->sample < before->sample && parts_->untouched)
-        parts_->framed.clear();  // another stream: the body begins where it began
-    parts_->live->setFrame(std::move(frame), is_lost);
+    const bool begins_anew = frame && before && frame->sample < before->sample;  // another stream
+    if (parts_->untouched && (begins_anew || !(floor == parts_->live->floor())))
+        parts_->framed.clear();  // the body is where it began
+    parts_->live->setFrame(std::move(frame), is_lost, floor);
     parts_->canvas->refresh(true);
 }
 

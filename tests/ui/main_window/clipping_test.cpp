@@ -14,7 +14,7 @@
 #include "ui/main_window/put_on_dialog.h"
 #include "ui/main_window/shortcuts_dialog.h"
 #include "ui/main_window/side_docks.h"
-#include "ui/models/countdown.h"
+#include "ui/models/countdown_setting.h"
 #include "ui/robot/add_robot_dialog.h"
 #include "ui/views/performer/body_dialog.h"
 #include "ui/views/record/record_page.h"
@@ -124,7 +124,7 @@ TEST_P(ClippingTest, ConnectAndRecordWithTwoSuits) {
         std::make_unique<TestBox>(TestBox::Options{.loops = true, .serial = "NB-000087", .drive_hz = 48000});
     add(*second);
     RecordRun& run = dynamic_cast<RecordPage&>(window_->page(Step::kRecord)).run();
-    Countdown::get().setSeconds(0);
+    CountdownSetting::get().setSeconds(0);
     run.setTones(false);
     ASSERT_TRUE(waitFor([&] { return run.obstacle().may_record_anyway || !run.obstacle(); }));
     run.press();

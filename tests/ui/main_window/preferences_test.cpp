@@ -4,7 +4,7 @@
 
 #include "tests/ui/main_window/studio_fixture.h"
 #include "ui/main_window/preferences_dialog.h"
-#include "ui/models/countdown.h"
+#include "ui/models/countdown_setting.h"
 #include "ui/models/tones.h"
 #include "ui/views/record/record_bar.h"
 #include "ui/widgets/button.h"
@@ -30,7 +30,7 @@ TEST_F(PreferencesTest, TheCountdownIsThatOfRecord) {
         EXPECT_TRUE(on_page.accessibleName().contains("10")) << on_page.accessibleName().toStdString();
         choose(dialog.countdown(), 0);
         EXPECT_EQ(on_page.accessibleName(), "No countdown");
-        Countdown::get().setSeconds(5);  // as the menu on Record does
+        CountdownSetting::get().setSeconds(5);  // as the menu on Record does
         EXPECT_EQ(dialog.countdown().currentData(), 5);
     }
     restart();

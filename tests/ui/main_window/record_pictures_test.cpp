@@ -2,7 +2,7 @@
 // Pictures of Record: without a suit, ready, counting down, recording, and with faults.
 #include "core/session/shot_list.h"
 #include "tests/ui/main_window/live_pictures.h"
-#include "ui/models/countdown.h"
+#include "ui/models/countdown_setting.h"
 #include "ui/views/record/record_page.h"
 
 namespace noctule::ui {
@@ -49,7 +49,7 @@ TEST_F(RecordPictures, FromWithoutASuitToFaults) {
     studio_->session().setShots(
         shotsFromText("Walk, straight line\nReach, high and low\nTurn, both ways x3\nSit and stand x3\n"
                       "Step over a box x2\nKick, each leg x2"));
-    Countdown::get().setSeconds(0);
+    CountdownSetting::get().setSeconds(0);
     run().setTones(false);
     run().setOpensReview(false);
     recordOneTake(3);
@@ -60,7 +60,7 @@ TEST_F(RecordPictures, FromWithoutASuitToFaults) {
     Theme::get().setScheme(Scheme::kLight);
     saveMenu("record-menu-light");
     Theme::get().setScheme(Scheme::kDark);
-    Countdown::get().setSeconds(10);
+    CountdownSetting::get().setSeconds(10);
     run().press();
     QTest::qWait(6500);
     Theme::get().setScheme(Scheme::kDark);

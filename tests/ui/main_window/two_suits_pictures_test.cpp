@@ -3,7 +3,7 @@
 #include <signal.h>
 
 #include "tests/ui/main_window/live_pictures.h"
-#include "ui/models/countdown.h"
+#include "ui/models/countdown_setting.h"
 #include "ui/views/record/record_page.h"
 
 namespace noctule::ui {
@@ -33,7 +33,7 @@ TEST_F(TwoSuitsPictures, FromConnectToReview) {
     window_->goTo(Step::kRecord);
     suits.setCurrent(*suits.connected()[0]);
     RecordRun& run = dynamic_cast<RecordPage&>(window_->page(Step::kRecord)).run();
-    Countdown::get().setSeconds(0);
+    CountdownSetting::get().setSeconds(0);
     run.setTones(false);
     run.setName("turn");
     QTest::qWait(3000);

@@ -16,7 +16,7 @@
 
 #include "core/session/shot_list.h"
 #include "tests/ui/views/record_fixture.h"
-#include "ui/models/countdown.h"
+#include "ui/models/countdown_setting.h"
 #include "ui/models/voice.h"
 #include "ui/plots/level_meters.h"
 #include "ui/plots/pairs_heard.h"
@@ -96,7 +96,7 @@ TEST_F(RecordPageTest, AnotherProgramBeginsAndEndsATakeOrIsToldWhyNot) {
     TestBox box(looping());
     openSession();
     ASSERT_TRUE(connectTo(box));
-    Countdown::get().setSeconds(10);
+    CountdownSetting::get().setSeconds(10);
     ASSERT_TRUE(reach(State::kReady));
     run().beginFromElsewhere("dance", "second try");
     EXPECT_EQ(run().state(), State::kRecording) << "without a countdown";
@@ -184,7 +184,7 @@ TEST_F(RecordPageTest, TheCountdownCountsAndEscEndsIt) {
     TestBox box(looping());
     openSession();
     ASSERT_TRUE(connectTo(box));
-    Countdown::get().setSeconds(3);
+    CountdownSetting::get().setSeconds(3);
     ASSERT_TRUE(reach(State::kReady));
     key(Qt::Key_Space);
     ASSERT_EQ(run().state(), State::kCountdown);
@@ -193,7 +193,7 @@ TEST_F(RecordPageTest, TheCountdownCountsAndEscEndsIt) {
     key(Qt::Key_Escape);
     EXPECT_EQ(run().state(), State::kReady);
     EXPECT_EQ(QSettings().value("record/countdown_s").toInt(), 3) << "remembered";
-    Countdown::get().setSeconds(1);
+    CountdownSetting::get().setSeconds(1);
     key(Qt::Key_Space);
     EXPECT_EQ(run().state(), State::kCountdown);
     EXPECT_TRUE(reach(State::kRecording));
@@ -208,7 +208,7 @@ TEST_F(RecordPageTest, TheVoiceCountsAndSaysStartAndStopUnlessItIsOff) {
     QStringList said;
     Voice::get().setSpeaker([&said](const QString& words) { said += words; });
     run().setOpensReview(false);
-    Countdown::get().setSeconds(1);
+    CountdownSetting::get().setSeconds(1);
     ASSERT_TRUE(reach(State::kReady));
     for (const bool on : {true, false}) {
         Voice::get().setOn(on);
@@ -226,13 +226,13 @@ TEST_F(RecordPageTest, LeavingThePageEndsACountdownButNotATake) {
     TestBox box(looping());
     openSession();
     ASSERT_TRUE(connectTo(box));
-    Countdown::get().setSeconds(10);
+    CountdownSetting::get().setSeconds(10);
     ASSERT_TRUE(reach(State::kReady));
     key(Qt::Key_Space);
     ASSERT_EQ(run().state(), State::kCountdown);
     page_->leave();
     EXPECT_EQ(run().state(), State::kReady);
-    Countdown::get().setSeconds(0);
+    CountdownSetting::get().setSeconds(0);
     ASSERT_TRUE(recordFor(0.1));
     page_->leave();
     EXPECT_EQ(run().state(), State::kRecording);

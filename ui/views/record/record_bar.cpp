@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/models/countdown.h"
+#include "ui/models/countdown_setting.h"
 #include "ui/style/keys.h"
 #include "ui/style/theme.h"
 #include "ui/style/words.h"
@@ -218,8 +218,8 @@ QWidget* RecordBar::makeRight() {
 
 void RecordBar::fillMenu(QMenu& menu) {
     menu.clear();
-    addSeconds(menu, tr("Countdown"), Countdown::kChoices_s, run_.countdownSeconds(),
-               [](int seconds) { Countdown::get().setSeconds(seconds); });
+    addSeconds(menu, tr("Countdown"), CountdownSetting::kChoices_s, run_.countdownSeconds(),
+               [](int seconds) { CountdownSetting::get().setSeconds(seconds); });
     if (run_.canPreRoll())
         addSeconds(menu, tr("Pre-roll, from before the recording begins"), kPreRolls_s, run_.preRollSeconds(),
                    [this](int seconds) { run_.setPreRollSeconds(seconds); });

@@ -15,6 +15,7 @@
 #include "ui/widgets/button.h"
 #include "ui/widgets/divider.h"
 #include "ui/widgets/problem_card.h"
+#include "ui/widgets/tool_button.h"
 
 namespace noctule::ui {
 namespace {
@@ -37,6 +38,7 @@ RecordCenter::RecordCenter(Studio& studio, RecordRun& run, QWidget* parent)
       studio_(studio),
       run_(run),
       scene_(new SceneView(studio, nullptr, Step::kRecord)),
+      reset_(new ToolButton("here", tr("Reset heading and place"), QKeySequence("Ctrl+H"))),
       clock_(new TakeClock(scene_)),
       bar_(new RecordBar(run)),
       levels_(new LevelsPanel(studio)),
@@ -56,6 +58,13 @@ RecordCenter::RecordCenter(Studio& studio, RecordRun& run, QWidget* parent)
     connect(&run, &RecordRun::changed, this, &RecordCenter::showTake);
     connect(&run, &RecordRun::ticked, this, &RecordCenter::showTime);
     connect(&run, &RecordRun::refused, this, &RecordCenter::showRefusal);
+    scene_->addTool(reset_);
+    PlaceReset& place = studio.placeReset();
+    const auto showReset = [this, &place] { reset_->setDisabledBecause(place.whyNot()); };
+    connect(reset_, &QAbstractButton::clicked, &place, &PlaceReset::reset);
+    connect(&place, &PlaceReset::changed, this, showReset);
+    connect(&place, &PlaceReset::moved, this, &RecordCenter::showFrame);
+    showReset();
     wear();
     showTake();
 }
@@ -85,10 +94,10 @@ void RecordCenter::showFrame() {
     if (suits.areSeveral())
         for (const SuitInUse* worn : suits.connected())
             if (worn != &suits.current())
-                others.push_back(
-                    {wearerOf(worn->suit), worn->suit.frame(), suits.letterOf(*worn), worn->suit.isSilent()});
+                others.push_back({wearerOf(worn->suit), worn->suit.frame(), suits.letterOf(*worn),
+                                  worn->suit.isSilent(), *worn->floor});
     scene_->setCompany(suits.letterOf(suits.current()), std::move(others));
-    scene_->showFrame(studio_.suit().frame(), studio_.suit().isSilent());
+    scene_->showFrame(studio_.suit().frame(), studio_.suit().isSilent(), *suits.current().floor);
 }
 
 void RecordCenter::showTake() {

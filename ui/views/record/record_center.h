@@ -17,6 +17,7 @@ class ProblemCard;
 class RecordBar;
 class SceneView;
 class TakeClock;
+class ToolButton;
 
 class RecordCenter : public QWidget {
     Q_OBJECT
@@ -27,6 +28,7 @@ public:
     RecordBar& bar() { return *bar_; }
     TakeClock& clock() { return *clock_; }
     LevelsPanel& levels() { return *levels_; }
+    ToolButton& placeResetButton() { return *reset_; }
     /// Null: nothing was refused.
     ProblemCard* refusal() { return refusal_; }
 
@@ -46,6 +48,7 @@ private:
     Studio& studio_;
     RecordRun& run_;
     SceneView* scene_;
+    ToolButton* reset_;  ///< of heading and place
     TakeClock* clock_;
     RecordBar* bar_;
     LevelsPanel* levels_;

@@ -2,23 +2,20 @@
 #include "ui/views/record/record_run.h"
 
 #include <QDir>
-#include <cmath>
 #include <utility>
 
 #include "core/session/shot_list.h"
 #include "core/session/take_folder.h"
 #include "ui/language/core_words.h"
-#include "ui/models/countdown.h"
-#include "ui/models/tones.h"
-#include "ui/models/voice.h"
+#include "ui/models/countdown_setting.h"
 #include "ui/style/words.h"
 #include "ui/views/readiness_words.h"
 
 namespace noctule::ui {
 namespace {
 
-constexpr const char *kPreRoll = "record/pre_roll_s", *kTones = "record/tones",
-                     *kReview = "record/open_review", *kBase = "record/base_name";
+constexpr const char *kPreRoll = "record/pre_roll_s", *kReview = "record/open_review",
+                     *kBase = "record/base_name";
 constexpr int kTick_ms = 33;
 constexpr double kLeastRoom_s = 5;  ///< with less the recorder ends a take as soon as it begins
 
@@ -32,9 +29,9 @@ QString sentences(const RecordObstacle& obstacle) {
 RecordRun::RecordRun(CaptureContext& capture, QObject* parent)
     : QObject(parent),
       capture_(capture),
-      countdown_s_(Countdown::get().seconds()),
+      countdown_(CountdownSetting::get().seconds()),
       pre_roll_s_(capture.shared().settings().value(kPreRoll, 0).toInt()),
-      tones_(capture.shared().settings().value(kTones, true).toBool()),
+      tones_(capture.shared().settings().value(kTonesSetting, true).toBool()),
       opens_review_(capture.shared().settings().value(kReview, true).toBool()),
       base_(capture.shared()
                 .settings()
@@ -43,11 +40,12 @@ RecordRun::RecordRun(CaptureContext& capture, QObject* parent)
     tick_.setInterval(kTick_ms);
     tick_.setTimerType(Qt::PreciseTimer);
     connect(&tick_, &QTimer::timeout, this, [this] {
-        count();
+        if (countdown_.look(tones_))
+            beginOwn();
         emit ticked();
     });
-    connect(&Countdown::get(), &Countdown::changed, this, [this] {
-        countdown_s_ = Countdown::get().seconds();
+    connect(&CountdownSetting::get(), &CountdownSetting::changed, this, [this] {
+        countdown_.setSeconds(CountdownSetting::get().seconds());
         emit changed();
     });
     LiveSuits& suits = capture.suits();
@@ -60,6 +58,10 @@ RecordRun::RecordRun(CaptureContext& capture, QObject* parent)
     connect(&suits, &LiveSuits::changed, this, &RecordRun::follow);
     connect(&suits, &LiveSuits::recordingStarted, this, &RecordRun::onStarted);
     connect(&suits, &LiveSuits::recordingEnded, this, &RecordRun::onEnded);
+    connect(&capture.placeReset(), &PlaceReset::marked, this, [this](double t_s, const QString& label) {
+        marks_.push_back({TakeMark::Kind::kMarker, t_s, label});
+        emit marksChanged();
+    });
     connect(&capture.shared().session(), &SessionModel::opened, this, [this] {
         shot_ = -1;
         without_shot_ = false;
@@ -154,7 +156,7 @@ RecordRun::State RecordRun::stateNow() const {
         default:
             break;
     }
-    if (counting_.isValid())
+    if (countdown_.runs())
         return State::kCountdown;
     return obstacle_ ? State::kRefused : State::kReady;
 }
@@ -167,7 +169,7 @@ void RecordRun::follow() {
     const bool cannot = obstacle_ && !obstacle_.may_record_anyway;
     const LiveSuit::Phase phase = capture_.suits().phase();
     if (cannot || phase == LiveSuit::Phase::kNone || phase == LiveSuit::Phase::kSaving)
-        counting_.invalidate();
+        countdown_.end();
     const State now = stateNow();
     const bool ticks = now == State::kCountdown || now == State::kRecording;
     if (ticks && !tick_.isActive())
@@ -209,36 +211,18 @@ void RecordRun::recordAnyway() {
 
 void RecordRun::beginOrCount() {
     told_notes_.clear();
-    if (countdown_s_ == 0)
+    if (countdown_.seconds() == 0)
         return beginOwn();
-    counting_.start();
-    last_second_ = countdown_s_;
-    cue(QString::number(last_second_));
+    countdown_.start(tones_);
     follow();
 }
 
 bool RecordRun::endCountdown() {
-    if (!counting_.isValid())
+    if (!countdown_.runs())
         return false;
-    counting_.invalidate();
+    countdown_.end();
     follow();
     return true;
-}
-
-double RecordRun::countdownLeft() const {
-    return counting_.isValid() ? std::max(0.0, countdown_s_ - static_cast<double>(counting_.elapsed()) * 1e-3)
-                               : 0;
-}
-
-void RecordRun::count() {
-    if (!counting_.isValid())
-        return;
-    const double left_s = countdownLeft();
-    if (left_s <= 0)
-        return beginOwn();
-    const int second = static_cast<int>(std::ceil(left_s));
-    if (std::exchange(last_second_, second) != second)
-        cue(QString::number(second));
 }
 
 void RecordRun::beginOwn() {
@@ -247,7 +231,7 @@ void RecordRun::beginOwn() {
 }
 
 QString RecordRun::begin(const QString& base) {
-    counting_.invalidate();
+    countdown_.end();
     LiveSuit::TakePlan plan;
     plan.base_name = base;
     plan.pre_roll_s = preRollSeconds();
@@ -322,7 +306,7 @@ void RecordRun::setPreRollSeconds(int seconds) {
 
 void RecordRun::setTones(bool tones) {
     tones_ = tones;
-    capture_.shared().settings().setValue(kTones, tones);
+    capture_.shared().settings().setValue(kTonesSetting, tones);
     emit changed();
 }
 
@@ -330,13 +314,6 @@ void RecordRun::setOpensReview(bool opens) {
     opens_review_ = opens;
     capture_.shared().settings().setValue(kReview, opens);
     emit changed();
-}
-
-/// The system's own bell and the voice: the picture says the same.
-void RecordRun::cue(const QString& words) const {
-    if (tones_)
-        Tones::get().play();
-    Voice::get().say(words);
 }
 
 QString RecordRun::takeName() const {

@@ -4,12 +4,12 @@
 // choice of the operator is remembered.
 #pragma once
 
-#include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
 #include <vector>
 
 #include "ui/models/capture_context.h"
+#include "ui/models/countdown.h"
 #include "ui/models/transitions.h"
 
 namespace noctule::ui {
@@ -57,8 +57,8 @@ public:
     /// Another program ends it.
     void stopFromElsewhere();
 
-    double countdownLeft() const;
-    int countdownSeconds() const { return countdown_s_; }
+    double countdownLeft() const { return countdown_.left_s(); }
+    int countdownSeconds() const { return countdown_.seconds(); }
     /// The take begins so long before the recording does; 0 where the suit allows none.
     int preRollSeconds() const { return canPreRoll() ? pre_roll_s_ : 0; }
     bool canPreRoll() const { return capture_.suits().canPreRoll(); }
@@ -100,20 +100,20 @@ private:
     void beginOwn();
     /// Why it cannot begin; empty: it does.
     QString begin(const QString& base);
-    void count();
     void onStarted(const QString& take);
     void onEnded(const QString& take, const QString& trouble);
     void followSession();
     void chooseDueShot();
     void applyShot(int shot);
     /// Heard with one's back to the screen.
-    void cue(const QString& words) const;
+    void cue(const QString& words) const { Countdown::cue(words, tones_); }
 
     CaptureContext& capture_;
     State state_ = State::kNoSuit;
     int suits_ = 0;  ///< connected, when this was told last
     RecordObstacle obstacle_;
-    int countdown_s_, pre_roll_s_;
+    Countdown countdown_;
+    int pre_roll_s_;
     bool tones_, opens_review_;
     QString base_, running_;
     QString told_notes_;  ///< by another program, for the take that begins
@@ -122,8 +122,6 @@ private:
     std::vector<TakeMark> marks_;
     int markers_ = 0;
     QTimer tick_;
-    QElapsedTimer counting_;  ///< valid: a countdown runs
-    int last_second_ = 0;
 };
 
 }  // namespace noctule::ui
