@@ -5947,7 +5947,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <translation>Kein Anzug ist verbunden. Zuerst einen verbinden.</translation>
     </message>
     <message>
-        <source>The room's anchors give heading and place.</source>
+        <source>The room&apos;s anchors give heading and place.</source>
         <translation>Richtung und Platz kommen von den Ankern des Raums.</translation>
     </message>
     <message>

@@ -25,10 +25,10 @@ QString aboutProcessing(Studio& studio, bool with_actor, ProcessTakesDialog::Wit
                                 "calibration “%1”; takes of several performers keep their own.")
                                 .arg(calibration)};
     if (with == ProcessTakesDialog::With::kTheirOwn && !calibration.isEmpty())
-        words = {ProcessTakesDialog::tr(
-                     "Each take is processed as accurately as possible, with all sensors and the "
-                     "calibration that it was recorded with; one recorded without gets “%1”.")
-                     .arg(calibration)};
+        words = QStringList(ProcessTakesDialog::tr(
+                                "Each take is processed as accurately as possible, with all sensors and the "
+                                "calibration that it was recorded with; one recorded without gets “%1”.")
+                                .arg(calibration));
     if (with_actor)
         words << ProcessTakesDialog::tr("Takes of %1 get the bone lengths that this calibration found.")
                      .arg(QString::fromStdString(studio.session().session().current_performer));
