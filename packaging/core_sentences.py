@@ -25,7 +25,7 @@ CLOSING = {"(": ")", "{": "}", "[": "]"}
 ENDS_CHAIN = set(", ; = return ? : << && || == != < > <= >= += case".split())
 # What is never shown: broken promises of our own, what a table or a statement of a file says.
 SKIPPED_CALLS = {"require", "static_assert", "NOCTULE_REQUIRE", "tr", "translate"}
-NO_SENTENCE = re.compile(r"[<>{}$]|SELECT|ORDER BY|INSERT|CREATE|DELETE|PRAGMA|ATTACH|DROP|UPDATE|http|^\s*--|^#|\w+,\w+,|_[a-z]|::|\\")
+NO_SENTENCE = re.compile(r"[<>{}$]|SELECT|CAST\(|ORDER BY|INSERT|CREATE|DELETE|PRAGMA|ATTACH|DROP|UPDATE|http|^\s*--|^#|\w+,\w+,|_[a-z]|::|\\")
 SKIPPED_FILES = re.compile(r"parameters?\.(cpp|h)$|_json\.cpp$|_csv\.cpp$")  # parameters are told by --batch alone
 # Rooms whose single words stand on the screen: heads of tables and labels of plots.
 ROOMS_OF_WORDS = {"core/report"}

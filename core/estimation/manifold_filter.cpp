@@ -119,6 +119,7 @@ ManifoldFilter::ManifoldFilter(const Skeleton& skeleton, SuitModel suit, const M
     if (parameters_.joints_give)
         now_.give = JointGive(skeleton_, tree_, turning_joints_, seenJoints(skeleton_, gyroscope_joints_),
                               parameters_.give);
+    now_.heard_s.assign(suit_.boards.size(), 0.0);
     now_.mean_square_rates.assign(tree_.links().size(), 0.0);
     now_.board_noise.assign(suit_.boards.size(), BoardNoise(parameters_.board_noise, suit_.sources.size()));
     now_.gains.assign(suit_.boards.size(), VelocityGain(parameters_.velocity_gain));
@@ -172,8 +173,7 @@ ManifoldFilter::StepInput ManifoldFilter::nextInput() {
 void ManifoldFilter::step(const StepInput& input) {
     predict(step_s_);
     ++now_.step_index;
-    if (!input.inertial.empty() || now_.step_index == 1)
-        now_.heard_s = seconds();
+    noteHeard(input.inertial);
     allowForClipping(input.inertial);
     const auto accel_variances = [&] {
         return now_.P.dense().diagonal().segment(layout_.accel(0), layout_.freedoms);

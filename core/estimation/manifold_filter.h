@@ -125,7 +125,7 @@ public:
         JointGive give;
         Covariance P;
         MotionNoise motion_noise;
-        double heard_s = 0;                     ///< of the last step with inertial readings
+        std::vector<double> heard_s;            ///< per board, of the last step with its turning
         std::vector<double> mean_square_rates;  ///< per link, of one axis, while they are seen
         MotionState fitted;                     ///< the motion that P's errors are those of
         int64_t step_index = 0;
@@ -237,6 +237,10 @@ private:
         return parameters_.sensors.gyroscopes ? parameters_.blind : parameters_.all_blind;
     }
     bool isBlind(const Link& link) const { return !gyroscope_joints_[static_cast<size_t>(link.joint)]; }
+    /// Of the boards that are heard, all three axes are.
+    void noteHeard(const std::vector<InertialMeasurement>& measurements);
+    /// Per link: its boards are silent, as most of the suit is.
+    std::vector<bool> silentLinks() const;
     double valueOf(const BodyState& state, int column) const;
     void correct(const Eigen::VectorXd& delta);
     void widen(int first, int count, double sigma);

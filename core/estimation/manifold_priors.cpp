@@ -8,9 +8,30 @@
 namespace noctule {
 namespace {
 
-constexpr double kSilent_s = 0.25;  ///< without readings of any board: nothing is seen of any limb
+constexpr double kSilent_s = 0.25;  ///< without readings of a board
 
 }  // namespace
+
+void ManifoldFilter::noteHeard(const std::vector<InertialMeasurement>& measurements) {
+    for (const InertialMeasurement& measurement : measurements)
+        if ((parameters_.sensors.gyroscopes ? measurement.gyro : measurement.accel).count == 3)
+            now_.heard_s[static_cast<size_t>(measurement.board)] = seconds();
+}
+
+/// A gap of the whole link ends board by board and axis by axis. Until most are back, distances alone would
+/// drive the limbs.
+std::vector<bool> ManifoldFilter::silentLinks() const {
+    std::vector<bool> silent(tree_.links().size(), true);
+    size_t heard = 0;
+    for (size_t board = 0; board < suit_.boards.size(); ++board)
+        if (seconds() - now_.heard_s[board] <= kSilent_s) {
+            silent[static_cast<size_t>(suit_.boards[board].link)] = false;
+            ++heard;
+        }
+    if (2 * heard >= suit_.boards.size())
+        silent.assign(silent.size(), false);
+    return silent;
+}
 
 void ManifoldFilter::updatePriors() {
     for (const int link : now_.give.lostLinks(now_.state.motion))
@@ -23,11 +44,11 @@ void ManifoldFilter::updatePriors() {
         blocks.push_back(
             velocityOfRoot(layout_, now_.state.motion, still, Vector3d::Constant(sigma * sigma)));
     }
-    const bool is_silent = seconds() - now_.heard_s > kSilent_s;
+    const std::vector<bool> silent = silentLinks();
     const Eigen::VectorXd away = coordinateError(tree_, usual_, now_.state.motion);
     for (size_t i = 0; i < tree_.links().size(); ++i) {
         const Link& link = tree_.links()[i];
-        if ((!is_silent && !isBlind(link)) || (i == 0 && parameters_.root_given))
+        if ((!silent[i] && !isBlind(link)) || (i == 0 && parameters_.root_given))
             continue;
         const int rotation = link.type == LinkType::kFree ? 3 : 0;
         for (int index = link.first + rotation; index < link.first + link.count; ++index) {

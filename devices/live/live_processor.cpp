@@ -45,7 +45,7 @@ LiveProcessor::LiveProcessor(const LivePlan& plan, std::unique_ptr<LivePipeline>
       spool_(std::move(spool)),
       pose_listener_(plan.pose_listener),
       predictor_(std::move(predictor)),
-      queue_(static_cast<int64_t>(plan.queue_s * sample_rate_hz_)),
+      queue_(static_cast<int64_t>(plan.queue_s * sample_rate_hz_), LiveQueue::WhenFull::kNewestStays),
       health_(plan.suit, sample_rate_hz_),
       latency_from_ns_(latencyFrom_ns(plan)) {
     frame_.ranges.resize(board_count_ * plan.suit.sources.size());

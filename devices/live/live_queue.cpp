@@ -13,20 +13,26 @@ bool isBlock(const LiveItem& item) {
 
 }  // namespace
 
-LiveQueue::LiveQueue(int64_t limit_samples) : limit_samples_(limit_samples) {}
+LiveQueue::LiveQueue(int64_t limit_samples, WhenFull when_full)
+    : limit_samples_(limit_samples), when_full_(when_full) {}
 
 void LiveQueue::push(LiveItem item) {
     {
         const std::lock_guard lock(mutex_);
         if (closed_ || abandoned_)
             return;
+        int64_t newest = 0;
         if (const auto* block = std::get_if<ArrivedBlock>(&item))
-            depth_.samples += block->sound->sampleCount();
+            newest = block->sound->sampleCount();
+        depth_.samples += newest;
         items_.push_back(std::move(item));
         if (oldest_block_ == items_.end() && isBlock(items_.back()))
             oldest_block_ = std::prev(items_.end());
-        while (depth_.samples > limit_samples_)
-            dropOldestBlock();
+        if (depth_.samples > limit_samples_) {
+            const int64_t stays = when_full_ == WhenFull::kNewestStays ? newest : limit_samples_;
+            while (depth_.samples > std::min(stays, limit_samples_))
+                dropOldestBlock();
+        }
         depth_.deepest_samples = std::max(depth_.deepest_samples, depth_.samples);
     }
     something_.notify_one();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // From the device's thread to one that works more slowly. push() never waits for the reader: when more sound
-// waits than the limit allows, the oldest blocks are dropped, and where they were stands a gap of the studio
-// (link protocol, section 7). Everything else is small (3 kB a second) and stays, in order.
+// waits than the limit allows, blocks are dropped, and where they were stands a gap of the studio (link
+// protocol, section 7). Everything else is small (3 kB a second) and stays, in order.
 #pragma once
 
 #include <chrono>
@@ -16,8 +16,13 @@ namespace noctule {
 
 class LiveQueue {
 public:
+    enum class WhenFull {
+        kOldestGoes,   ///< as little as possible is lost
+        kNewestStays,  ///< one long gap: a reader whose work needs sound in one piece goes on with the
+                       ///< present
+    };
     /// `limit_samples`: of sound that waits at most.
-    explicit LiveQueue(int64_t limit_samples);
+    LiveQueue(int64_t limit_samples, WhenFull when_full);
 
     void push(LiveItem item);
     /// Nothing more will be pushed.
@@ -41,6 +46,7 @@ private:
     void forget(Items::iterator item);
 
     const int64_t limit_samples_;
+    const WhenFull when_full_;
     mutable std::mutex mutex_;
     std::condition_variable something_;
     Items items_;

@@ -47,7 +47,8 @@ struct RowCounter {
 Recorder::Recorder(std::unique_ptr<TakeSink> sink, const RecorderSettings& settings)
     : sink_(std::move(sink)),
       settings_(settings),
-      queue_(static_cast<int64_t>(settings.queue_s * settings.sample_rate_hz)),
+      queue_(static_cast<int64_t>(settings.queue_s * settings.sample_rate_hz),
+             LiveQueue::WhenFull::kOldestGoes),
       backlog_(std::filesystem::absolute(sink_->path()).parent_path()) {
     state_.path = sink_->path();
     thread_ = std::thread([this] { work(); });

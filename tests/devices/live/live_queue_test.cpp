@@ -25,7 +25,7 @@ GapRow gapAt(const std::vector<LiveItem>& items, size_t index) {
 }
 
 TEST(LiveQueue, KeepsTheOrderAndTellsItsDepth) {
-    LiveQueue queue(1000);
+    LiveQueue queue(1000, LiveQueue::WhenFull::kOldestGoes);
     queue.push(std::vector<Pulse>{{1, 5, 0}});
     queue.push(test::madeBlock(0, 600, 2));
     queue.push(StatusRow{600, {}, {}, {}, {}});
@@ -40,7 +40,7 @@ TEST(LiveQueue, KeepsTheOrderAndTellsItsDepth) {
 }
 
 TEST(LiveQueue, TheOldestSoundGoesAndOneGapOfTheStudioStandsInItsPlace) {
-    LiveQueue queue(1200);
+    LiveQueue queue(1200, LiveQueue::WhenFull::kOldestGoes);
     queue.push(NoteRow{"", "first"});
     for (int64_t block = 0; block < 5; ++block) {
         queue.push(std::vector<Pulse>{{block + 1, block * 600, 0}});
@@ -59,8 +59,20 @@ TEST(LiveQueue, TheOldestSoundGoesAndOneGapOfTheStudioStandsInItsPlace) {
     EXPECT_EQ(queue.depth().deepest_samples, 1200);
 }
 
+TEST(LiveQueue, OneLongGapForAReaderThatNeedsSoundInOnePiece) {
+    LiveQueue queue(1800, LiveQueue::WhenFull::kNewestStays);
+    for (int64_t block = 0; block < 6; ++block)
+        queue.push(test::madeBlock(block * 600, 600, 2));
+    const auto items = popAll(queue);
+    ASSERT_EQ(items.size(), 1u + 3);
+    EXPECT_EQ(gapAt(items, 0).first_sample, 0);
+    EXPECT_EQ(gapAt(items, 0).sample_count, 1800);
+    EXPECT_EQ(std::get<ArrivedBlock>(items[1]).firstSample(), 1800);
+    EXPECT_EQ(queue.depth().dropped_samples, 1800);
+}
+
 TEST(LiveQueue, AGapThatHasBeenReadDoesNotGrow) {
-    LiveQueue queue(600);
+    LiveQueue queue(600, LiveQueue::WhenFull::kOldestGoes);
     for (int64_t block = 0; block < 2; ++block)
         queue.push(test::madeBlock(block * 600, 600, 1));
     EXPECT_EQ(gapAt({*queue.pop(steady_clock::now())}, 0).sample_count, 600);
@@ -79,7 +91,7 @@ TEST(LiveQueue, AGapThatHasBeenReadDoesNotGrow) {
 }
 
 TEST(LiveQueue, ClosesAndIsAbandoned) {
-    LiveQueue queue(600);
+    LiveQueue queue(600, LiveQueue::WhenFull::kOldestGoes);
     std::thread reader([&] {
         while (!queue.drained())
             queue.pop(steady_clock::now() + std::chrono::hours(1));
@@ -87,7 +99,7 @@ TEST(LiveQueue, ClosesAndIsAbandoned) {
     queue.push(test::madeBlock(0, 600, 1));
     queue.close();
     reader.join();
-    LiveQueue left(600);
+    LiveQueue left(600, LiveQueue::WhenFull::kOldestGoes);
     left.push(test::madeBlock(0, 600, 1));
     left.abandon();
     left.push(test::madeBlock(600, 600, 1));

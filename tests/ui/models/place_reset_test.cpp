@@ -51,7 +51,8 @@ protected:
         const Session& session = session_.session();
         const Take take = std::move(Take::open(session.pathOf(session.takes.back()).string()).value());
         std::vector<std::string> labels;
-        for (const MarkerRow& marker : take.markers().value())
+        const auto markers = take.markers();
+        for (const MarkerRow& marker : markers.value())
             if (marker.kind == "user")
                 labels.push_back(marker.label);
         return labels;

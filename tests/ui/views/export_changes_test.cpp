@@ -101,6 +101,7 @@ TEST_F(ExportChangesTest, AnotherTimeBringsWriteBackForAPictureOnly) {
 TEST_F(ExportChangesTest, TheResultThatReviewShowedGoesOutOfATakeThatIsNotOpen) {
     const std::string first = studio_->take().overview()->runs[0].run.name;
     addTake("swing_002");
+    openTake("swing_001");
     processAgain("swing_001");
     studio_->take().setShownRun(0);
     openTake("swing_002");
@@ -134,6 +135,7 @@ TEST_F(ExportChangesTest, TheResultThatReviewShowedGoesOutOfATakeThatIsNotOpen) 
 
 TEST_F(ExportChangesTest, ANewResultOfAClosedTakeIsTheOneThatIsShown) {
     addTake("swing_002");
+    openTake("swing_001");
     processAgain("swing_001");
     studio_->take().setShownRun(0);
     openTake("swing_002");
