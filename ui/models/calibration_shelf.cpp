@@ -108,13 +108,17 @@ std::optional<Calibration> CalibrationShelf::inForce() const {
     return chosen ? std::optional(chosen->calibration) : suit_.calibration();
 }
 
+/// The session names it for no suit in particular, and it is not this one's.
+bool CalibrationShelf::isLeftToOthers(const Calibration& calibration) const {
+    const CalibrationOwner owner = ownerOf(calibration);
+    return !isOwnFile() &&
+           (is_beside_ ? owner != CalibrationOwner::kThisSuit : owner == CalibrationOwner::kAnotherSuit);
+}
+
 /// Null: the session has none for this suit.
 const ShelvedCalibration* CalibrationShelf::chosenFile() const {
     const auto found = std::ranges::find(all_, fileInForce(), &ShelvedCalibration::file);
-    if (found == all_.end() ||
-        (is_beside_ && !isOwnFile() && ownerOf(found->calibration) != CalibrationOwner::kThisSuit))
-        return nullptr;
-    return &*found;
+    return found == all_.end() || isLeftToOthers(found->calibration) ? nullptr : &*found;
 }
 
 bool CalibrationShelf::isInForce(const ShelvedCalibration& shelved) const {
@@ -132,8 +136,7 @@ void CalibrationShelf::follow() {
                 warnIfGone();
             emit changed();
         }
-        if (is_beside_)
-            hand();  // it may have become this suit's own, or not be any more
+        hand();  // it may have become this suit's own, or not be any more
         return;
     }
     const bool is_same_session = folder() == folder_;
@@ -379,7 +382,9 @@ void CalibrationShelf::keepMeasures(const Actor& actor, const QString& what) {
 }
 
 void CalibrationShelf::use(const QString& file, const QString& what) {
-    if (is_beside_ || isOwnFile())
+    const auto calibration = readCalibrationFile(pathIn(folder(), file));
+    const bool is_others = calibration && ownerOf(*calibration) == CalibrationOwner::kAnotherSuit;
+    if (is_beside_ || isOwnFile() || is_others)  // for this suit alone
         session_.setSuitCalibration(suit_.serial(), file, what);
     else
         session_.setCalibration(file, what);

@@ -93,6 +93,7 @@ private:
     void remember(const Calibration& calibration);
     void recall();
     bool isOwnFile() const;
+    bool isLeftToOthers(const Calibration& calibration) const;
     const ShelvedCalibration* chosenFile() const;
     CalibrationOwner ownerOf(const Calibration& calibration) const;
     void warnOfStrangers(const Calibration& calibration);

@@ -204,6 +204,34 @@ TEST_F(SuitMemoryTest, FilesOfAnotherSuitAreToldAndNotRememberedForThisOne) {
         EXPECT_EQ(studio_->calibrations().isOfAnotherSuit(shelved), shelved.file != file_of_unknown);
 }
 
+TEST_F(SuitMemoryTest, TheCalibrationOfTheSessionStaysWithItsSuit) {
+    const TestBox practised({.loops = true, .serial = "NB-900001"}), worn({.loops = true});
+    openSession("first");
+    ASSERT_TRUE(connectTo(practised));
+    CalibrationResult found;
+    found.calibration = calibratedOn("2026-02-01T10:00:00Z");
+    ASSERT_EQ(studio_->calibrations().save(found, "rest-pose"), "");
+    const QString file = studio_->calibrations().fileInForce();
+    const auto is_given = [&] {
+        const auto& given = studio_->suit().calibration();
+        return given && given->created_utc == found.calibration.created_utc;
+    };
+    EXPECT_TRUE(is_given());
+
+    QSignalSpy warned(&studio_->calibrations(), &CalibrationShelf::warned);
+    ASSERT_TRUE(connectTo(worn));
+    EXPECT_FALSE(is_given());
+    EXPECT_FALSE(studio_->calibrations().inForce());
+    EXPECT_EQ(warned.count(), 0);
+    studio_->calibrations().use(file, "all the same");
+    EXPECT_TRUE(is_given()) << "the operator has decided";
+    studio_->session().undoStack().undo();
+    EXPECT_FALSE(is_given());
+
+    ASSERT_TRUE(connectTo(practised));
+    EXPECT_TRUE(is_given()) << "it is this suit's";
+}
+
 TEST_F(SuitMemoryTest, WhatIsSavedOrExportedNamesItsBox) {
     TestBox box({.loops = true});
     openSession("first");
