@@ -107,6 +107,15 @@ std::string programHelp() {
            exitCodeLine(exitCodes()) + "\nexample: " + verbs().front().example + "\n";
 }
 
+std::string groupHelp(const std::string& group) {
+    std::string text =
+        "noctule --batch " + group + " WHAT: `noctule --batch " + group + " WHAT --help` explains each.\n\n";
+    for (const Verb& verb : verbs())
+        if (verb.run && verb.name.starts_with(group + " "))
+            text += entry(verb.name, verb.summary);
+    return text;
+}
+
 std::string verbHelp(const Verb& verb) {
     std::string text = "noctule --batch " + verb.name + ": " + verb.summary + ".\n";
     if (!verb.run)

@@ -22,6 +22,8 @@ std::string exitCodeLine(const std::vector<ExitCode>& codes);
 
 std::string programHelp();
 std::string verbHelp(const Verb& verb);
+/// Of the verbs whose first word is `group`: "calibrate".
+std::string groupHelp(const std::string& group);
 /// One entry an option.
 std::string optionList(const std::vector<Option>& options);
 

@@ -157,11 +157,14 @@ int runBatch(const std::vector<std::string>& words, const CancelFlag& cancel) {
     const bool help = contains(words, "--help");
     Console console(!help && contains(words, "--quiet"), contains(words, "--json"));
     const Verb* verb = findVerb(name);
-    if (help && (verb || name.starts_with("--")))
-        return report(Outcome{{{"help", verb ? verbHelp(*verb) : programHelp()}},
-                              verb ? verbHelp(*verb) : programHelp(),
-                              std::nullopt},
-                      console);
+    if (name == "--version")
+        return report(Outcome{{{"version", softwareName()}}, softwareName() + "\n", std::nullopt}, console);
+    if (name == "help" || (help && (verb || name.starts_with("--") || !kindsOf(name).empty()))) {
+        const std::string text = verb                    ? verbHelp(*verb)
+                                 : kindsOf(name).empty() ? programHelp()
+                                                         : groupHelp(name);
+        return report(Outcome{{{"help", text}}, text, std::nullopt}, console);
+    }
     if (!verb)
         return report(unknownVerb(name), console);
     if (!verb->run)

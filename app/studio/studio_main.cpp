@@ -100,6 +100,12 @@ int runStudio(int argc, char** argv) {
     QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
     QApplication application(argc, argv);
     has_display = true;
+    for (const QString& word : application.arguments().mid(1))
+        if (word.startsWith("--")) {
+            std::fprintf(stderr, "noctule: unknown option %s. `noctule --help` lists what there is.\n",
+                         qPrintable(word));
+            return 2;
+        }
     std::setlocale(LC_NUMERIC, "C");  // Qt takes the user's; files and JSON are the same everywhere
     QApplication::setOrganizationName("Noctule");
     QApplication::setApplicationName("noctule");

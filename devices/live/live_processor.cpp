@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/live/pose_predictor.h"
+#include "core/motion/timed_poses.h"
 #include "devices/machine/clock.h"
 
 namespace noctule {
@@ -77,17 +78,17 @@ void LiveProcessor::work() {
         collect();
         publish();
     } catch (const std::exception& mistake) {
-        endWith(mistake.what());
+        endWith({ErrorKind::kInternal,
+                 "processing has ended by a mistake of this program (" + std::string(mistake.what()) + ")",
+                 "What is recorded is complete; process the take, and report the mistake"});
     }
 }
 
 /// The recording goes on.
-void LiveProcessor::endWith(const char* why) {
+void LiveProcessor::endWith(const Error& why) {
     queue_.abandon();
     spool_.reset();
-    frame_.trouble = Error{ErrorKind::kInternal,
-                           "processing has ended by a mistake of this program (" + std::string(why) + ")",
-                           "What is recorded is complete; process the take, and report the mistake"};
+    frame_.trouble = why;
     published_.set(frame_);
 }
 
@@ -130,6 +131,11 @@ void LiveProcessor::collect() {
     const std::vector<InertialReading> readings = pipeline_->takeReadings();
     const std::vector<RangeMeasurement> ranges = pipeline_->takeRanges();
     const std::vector<TimedPose> poses = pipeline_->takePoses();
+    if (!poses.empty() && !(poses.back().pose && isUsable(*poses.back().pose)))
+        return endWith(
+            {ErrorKind::kUnusable, "the live estimate was lost: the data contradict each other",
+             "Disconnect the suit and connect it again; check its calibration. What is recorded is "
+             "complete"});
     measureLatency(poses);
     if (pose_listener_)
         predict(readings, poses);

@@ -88,7 +88,7 @@ private:
     int64_t lastBit(int64_t time_ns) const;
     void measureLatency(const std::vector<TimedPose>& poses);
     void publish();
-    void endWith(const char* why);
+    void endWith(const Error& why);
 
     const int sample_rate_hz_;
     const size_t board_count_;

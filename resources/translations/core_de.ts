@@ -5683,12 +5683,12 @@
         <translation>%1: der Datenträger ist voll</translation>
     </message>
     <message>
-        <source>%1: the file is damaged at its beginning</source>
-        <translation>%1: die Datei ist an ihrem Anfang beschädigt</translation>
-    </message>
-    <message>
         <source>%1: the file is damaged</source>
         <translation>%1: die Datei ist beschädigt</translation>
+    </message>
+    <message>
+        <source>%1: the file is damaged at its beginning</source>
+        <translation>%1: die Datei ist an ihrem Anfang beschädigt</translation>
     </message>
     <message>
         <source>%1: the pose at %2 ns is not finite</source>
@@ -10069,6 +10069,10 @@
         <translation>Das andere Programm schließen</translation>
     </message>
     <message>
+        <source>Disconnect the suit and connect it again; check its calibration. What is recorded is complete</source>
+        <translation>Den Anzug trennen und neu verbinden; seine Kalibrierung prüfen. Was aufgenommen ist, ist vollständig</translation>
+    </message>
+    <message>
         <source>Driver box: %1 further errors came too fast to be noted.</source>
         <translation>Steuerbox: %1 weitere Fehler kamen zu schnell, um vermerkt zu werden.</translation>
     </message>
@@ -10175,6 +10179,10 @@
     <message>
         <source>processing has ended by a mistake of this program (%1)</source>
         <translation>die Verarbeitung endete durch einen Fehler dieses Programms (%1)</translation>
+    </message>
+    <message>
+        <source>the live estimate was lost: the data contradict each other</source>
+        <translation>die Live-Schätzung ist verloren: die Daten widersprechen einander</translation>
     </message>
     <message>
         <source>the live view</source>

@@ -57,7 +57,9 @@ TEST(Usage, TheStudioSaysWhenItsScreenCannotBeReached) {
 
 TEST(Usage, VersionAndHelpEndWell) {
     EXPECT_EQ(run({"--version"}).out.substr(0, 8), "noctule ");
-    for (const auto& arguments : {std::vector<std::string>{"--help"}, {"--batch", "--help"}}) {
+    EXPECT_EQ(batch({"--version"}).out, run({"--version"}).out);
+    for (const auto& arguments :
+         {std::vector<std::string>{"--help"}, {"--batch", "--help"}, {"--batch", "help"}}) {
         const Ran ran = run(arguments);
         EXPECT_EQ(ran.exit_code, 0);
         for (const std::string& verb : kVerbs)
@@ -80,6 +82,14 @@ TEST(Usage, EveryVerbExplainsItselfWithOneExample) {
         EXPECT_EQ(ran.exit_code, 0) << kind;
         EXPECT_NE(ran.out.find("example: noctule --batch calibrate " + kind + " "), std::string::npos);
     }
+}
+
+TEST(Usage, AWordBeforeVerbsListsThem) {
+    const Ran ran = batch({"calibrate", "--help"});
+    EXPECT_EQ(ran.exit_code, 0);
+    for (const std::string& kind : kCalibrations)
+        EXPECT_NE(ran.out.find("\n  calibrate " + kind), std::string::npos) << kind;
+    EXPECT_EQ(ran.out.find("simulate"), std::string::npos);
 }
 
 TEST(Usage, UnknownWordsNameTheNearestKnownOne) {
