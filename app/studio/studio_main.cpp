@@ -130,8 +130,11 @@ int runStudio(int argc, char** argv) {
         Voice::get().setSpeaker([&speech](const QString& words) { speech->say(words, QLocale()); });
     Tones::get().setPlayer(tonePlayer());
     const EndSignals end_signals;
-    QObject::connect(&end_signals, &EndSignals::endWanted, &windows,
-                     [&windows] { windows.window()->endInGoodOrder(); });
+    QObject::connect(&end_signals, &EndSignals::endWanted, &windows, [&windows] {
+        windows.window()->endInGoodOrder();
+        if (!windows.window()->isVisible())
+            QCoreApplication::quit();  // also where another window would stay
+    });
     studio.finder().start();
     studio.remoteStart().begin();
     // Within the event loop, which alone can be left by who closes the window meanwhile, or asks for the end.

@@ -21,15 +21,18 @@ void ManifoldFilter::noteHeard(const std::vector<InertialMeasurement>& measureme
 /// A gap of the whole link ends board by board and axis by axis. Until most are back, distances alone would
 /// drive the limbs.
 std::vector<bool> ManifoldFilter::silentLinks() const {
-    std::vector<bool> silent(tree_.links().size(), true);
+    const auto isHeard = [&](size_t board) { return seconds() - now_.heard_s[board] <= kSilent_s; };
     size_t heard = 0;
     for (size_t board = 0; board < suit_.boards.size(); ++board)
-        if (seconds() - now_.heard_s[board] <= kSilent_s) {
-            silent[static_cast<size_t>(suit_.boards[board].link)] = false;
-            ++heard;
-        }
+        heard += isHeard(board);
+    std::vector<bool> silent(tree_.links().size(), heard == 0);
     if (2 * heard >= suit_.boards.size())
-        silent.assign(silent.size(), false);
+        return silent;
+    for (size_t board = 0; board < suit_.boards.size(); ++board)
+        silent[static_cast<size_t>(suit_.boards[board].link)] = true;
+    for (size_t board = 0; board < suit_.boards.size(); ++board)
+        if (isHeard(board))
+            silent[static_cast<size_t>(suit_.boards[board].link)] = false;
     return silent;
 }
 

@@ -44,7 +44,9 @@ QStringList settingsOf(const QSettings& settings) {
     for (const QString& key : settings.allKeys()) {
         const QVariant value = settings.value(key);
         const bool is_text = value.type() != QVariant::ByteArray && value.canConvert<QString>();
-        if (is_text && !key.contains("recent", Qt::CaseInsensitive) && !key.startsWith("layout/"))
+        const bool is_own = key.contains("recent", Qt::CaseInsensitive) || key.startsWith("layout/") ||
+                            key.startsWith("sound/device");  // headphones have their owner's name
+        if (is_text && !is_own)
             lines += key + " = " + (QDir::isAbsolutePath(value.toString()) ? "[path]" : value.toString());
     }
     return lines;

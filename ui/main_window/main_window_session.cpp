@@ -315,8 +315,6 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     studio_.settings().setValue("window/maximised", isMaximized());
     marker_.release();
     event->accept();
-    if (asks_nothing_)
-        QCoreApplication::quit();  // also where another window would stay
 }
 
 }  // namespace noctule::ui

@@ -82,7 +82,7 @@ ShortcutsDialog::ShortcutsDialog(const QList<ShortcutGroup>& groups, QWidget* pa
     connect(table_, &QTreeWidget::currentItemChanged, this, &ShortcutsDialog::showChosen);
     connect(key_, &QKeySequenceEdit::editingFinished, this, &ShortcutsDialog::takeKey);
     showChosen();
-    placeDialog(*this, {Theme::get().px(620), Theme::get().px(640)});
+    placeDialog(*this, {Theme::get().px(720), Theme::get().px(640)});
     search_->setFocus();
 }
 
@@ -229,6 +229,8 @@ QString ShortcutsDialog::whyNot(const QKeySequence& key, const QString& name) co
     if (const QAction* holder = Keys::get().holderOf(key, name))
         return tr("%1 already means “%2”. Give that command another key first.", "key, command")
             .arg(keysText(key), textOf(*holder));
+    if (Keys::get().isUsual(key, name))
+        return {};
     if (const auto found = fixed_.find(key); found != fixed_.end())
         return tr("%1 already means “%2”, which is fixed.", "key, what it does")
             .arg(keysText(key), found->second);

@@ -4,12 +4,14 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QRegularExpression>
+#include <QSet>
 #include <algorithm>
 #include <functional>
 
 namespace noctule::ui {
 namespace {
 
+constexpr int kNamesOfPattern = 500;  ///< a pattern of some thousands cannot be compiled
 constexpr const char* kSuffix =
     R"((noctule|json|bvh|fbx|glb|gltf|c3d|csv|mvnx|mot|sto|trc|obj|urdf|npz|txt|html|pdf|png|jpe?g|mp4|mkv|avi|mov|webm)(?![\p{L}\p{N}]))";
 constexpr const char* kWord = R"([^/\s:,;|"'<>()=])";  ///< a character of a path without spaces
@@ -29,7 +31,7 @@ QString replaced(const QString& text, const QRegularExpression& pattern,
 /// Letters of every language bound a name; `\b` would know ASCII alone.
 QRegularExpression anyOf(const QStringList& words) {
     QStringList longest_first;
-    for (const QString& word : words)
+    for (const QString& word : QSet<QString>(words.begin(), words.end()))
         if (word.size() > 1)
             longest_first += QRegularExpression::escape(word);
     std::sort(longest_first.begin(), longest_first.end(),
@@ -108,7 +110,9 @@ QString withoutPersonalData(const QString& text, const QStringList& names) {
     const auto placed = [](const QRegularExpressionMatch& match) {
         return "[path]/*" + (match.captured(1).isEmpty() ? QString() : '.' + match.captured(1));
     };
-    QString out = replaced(text.normalized(QString::NormalizationForm_C), anyOf(composed), number);
+    QString out = text.normalized(QString::NormalizationForm_C);
+    for (int from = 0; from < composed.size(); from += kNamesOfPattern)
+        out = replaced(out, anyOf(composed.mid(from, kNamesOfPattern)), number);
     static const QRegularExpression quoted("[“„«][^“”„«»\n]+[“”»]");
     out = replaced(out, quoted, [](const auto&) { return QStringLiteral("“[quoted]”"); });
     out = replaced(out, wholePath(), placed);

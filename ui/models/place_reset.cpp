@@ -122,6 +122,7 @@ void PlaceReset::resetLater() {
         return reset();  // says so
     const int seconds = CountdownSetting::get().seconds();
     countdown_.setSeconds(seconds > 0 ? seconds : kWithoutCountdown_s);
+    counted_ = &suits_.current();
     countdown_.start(tones());
     timer_.start();
     emit said(tr("Heading and place are reset in %1\u00A0s. The same key ends the countdown.")
@@ -129,6 +130,8 @@ void PlaceReset::resetLater() {
 }
 
 void PlaceReset::look() {
+    if (countdown_.runs() && counted_ != &suits_.current())
+        return resetLater();  // ends it: somebody else is looked at now
     if (countdown_.look(tones()))
         reset();
 }

@@ -49,7 +49,8 @@ private:
     QSettings& settings_;
     Countdown countdown_;
     QTimer timer_;
-    QString why_not_;  ///< as told last
+    const SuitInUse* counted_ = nullptr;  ///< whom the countdown is for
+    QString why_not_;                     ///< as told last
 };
 
 }  // namespace noctule::ui

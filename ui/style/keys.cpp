@@ -79,10 +79,14 @@ QKeySequence Keys::keyOf(const QString& name, const QKeySequence& usual) {
     return keysInForce(name, {usual}).value(0);
 }
 
-QAction* Keys::holderOf(const QKeySequence& key, const QString& name) const {
-    const bool is_own = std::any_of(adopted_.begin(), adopted_.end(), [&](const Adopted& one) {
+bool Keys::isUsual(const QKeySequence& key, const QString& name) const {
+    return std::any_of(adopted_.begin(), adopted_.end(), [&](const Adopted& one) {
         return one.action && one.name == name && one.usual.contains(key);
     });
+}
+
+QAction* Keys::holderOf(const QKeySequence& key, const QString& name) const {
+    const bool is_own = isUsual(key, name);
     for (const Adopted& other : adopted_) {
         if (!other.action || other.name == name || !meet(name, other.name))
             continue;

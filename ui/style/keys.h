@@ -27,6 +27,8 @@ public:
     static QKeySequence keyOf(const QString& name, const QKeySequence& usual);
     static bool actsEverywhere(const QString& name);
 
+    /// One of the command's own, before the operator chose.
+    bool isUsual(const QKeySequence& key, const QString& name) const;
     /// Another command that `key` would call where `name` acts, or null.
     QAction* holderOf(const QKeySequence& key, const QString& name) const;
     /// Its usual first key again: no choice is kept.

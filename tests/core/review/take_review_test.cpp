@@ -353,12 +353,12 @@ TEST_F(TakeReview, AResultKeepsItsNumberWhenAnotherIsDeleted) {
         return found;
     };
     using Numbers = std::vector<std::pair<std::string, int>>;
-    EXPECT_EQ(numbers(), (Numbers{{"first", 1}, {"second", 2}, {"third", 3}}));
+    EXPECT_EQ(numbers(), (Numbers{{"AGD", 1}, {"first", 2}, {"second", 3}, {"third", 4}}));
     drop("first");
-    EXPECT_EQ(numbers(), (Numbers{{"second", 2}, {"third", 3}}));
+    EXPECT_EQ(numbers(), (Numbers{{"AGD", 1}, {"second", 3}, {"third", 4}}));
     drop("third");
     addRuns("fourth");
-    EXPECT_EQ(numbers(), (Numbers{{"second", 2}, {"fourth", 4}}));
+    EXPECT_EQ(numbers(), (Numbers{{"AGD", 1}, {"second", 3}, {"fourth", 5}}));
 }
 
 }  // namespace

@@ -18,6 +18,13 @@ TEST(PersonalData, NamesOfEveryLanguageAreNumbered) {
     EXPECT_EQ(without("the “Herr Maier” was not made"), "the “[quoted]” was not made");
 }
 
+TEST(PersonalData, ThousandsOfNamesGoToo) {
+    QStringList names;
+    for (int i = 0; i < 5000; ++i)
+        names += QStringLiteral("performance%1").arg(i);
+    EXPECT_EQ(without("performance4321 and Performance7", names), "[name-4321] and [name-7]");
+}
+
 TEST(PersonalData, WholePathsGo) {
     for (const char* path :
          {"/srv/anna/walk.noctule", "/srv/anna/Klinik Sued/Herr Maier/walk.noctule",

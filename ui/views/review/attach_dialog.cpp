@@ -11,6 +11,7 @@
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/label.h"
+#include "ui/widgets/scroll_area.h"
 
 namespace noctule::ui {
 
@@ -25,12 +26,14 @@ AttachDialog::AttachDialog(const TakeOverview& overview, const QString& path, QW
       has_result_(!overview.runs.empty()) {
     using enum ChoiceRow::Kind;
     setWide(480);
-    const auto alternatives = [this](const QString& title, ChoiceRow* first, ChoiceRow* second) {
-        content()->addSpacing(4);
-        content()->addWidget(new Label(title, TextRole::kSection, Ink::kValue, true));
+    auto* choices = new QWidget;
+    auto* column = makeColumn(choices, {}, 12);
+    const auto alternatives = [this, column](const QString& title, ChoiceRow* first, ChoiceRow* second) {
+        column->addSpacing(4);
+        column->addWidget(new Label(title, TextRole::kSection, Ink::kValue, true));
         auto* group = new QButtonGroup(this);
         for (ChoiceRow* row : {first, second}) {
-            content()->addWidget(row);
+            column->addWidget(row);
             group->addButton(row->button());
             connect(row->button(), &QAbstractButton::toggled, this, &AttachDialog::refresh);
         }
@@ -51,10 +54,11 @@ AttachDialog::AttachDialog(const TakeOverview& overview, const QString& path, QW
 
     alternatives(tr("Use as"), as_reference, as_external_root);
     alternatives(tr("Time"), align_auto, align_given);
-    auto* indented = addRow(content(), 0, {24, 0, 0, 0});
+    auto* indented = addRow(column, 0, {24, 0, 0, 0});
     indented->addWidget(milliseconds);
     indented->addStretch();
-    content()->addWidget(replaces_->wrapped());
+    column->addWidget(replaces_->wrapped());
+    content()->addWidget(new ScrollArea(choices), 1);
 
     if (is_positions_)
         as_reference->setDisabledBecause(
