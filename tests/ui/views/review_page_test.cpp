@@ -16,7 +16,6 @@
 #include "ui/style/words.h"
 #include "ui/views/report/joint_table.h"
 #include "ui/views/report/report_panel.h"
-#include "ui/views/report/report_view.h"
 #include "ui/views/review/choice_row.h"
 #include "ui/views/review/markers_panel.h"
 #include "ui/views/review/notes_panel.h"
@@ -431,20 +430,6 @@ TEST_F(ReviewPageTest, KeysHeldWithOthersAreNotThoseOfTheMenu) {
     QTest::keyClick(&page_->reportPanel(), Qt::Key_Right, Qt::AltModifier);
     EXPECT_FALSE(studio_->time().isPlaying());
     EXPECT_DOUBLE_EQ(studio_->time().time(), before_s);
-}
-
-TEST_F(ReviewPageTest, FullReportOpensInsideTheWindow) {
-    page_->openFullReport();
-    ReportView& view = page_->reportView();
-    ASSERT_TRUE(page_->showsFullReport() && waitFor([&] { return view.page().figureCount() > 10; }));
-    EXPECT_TRUE(view.page().toPlainText().contains("Sensors and runs"));
-    EXPECT_TRUE(view.page().savePdf(outsideFile("report.pdf")));
-    QFile joints(outsideFile("joints.csv"));
-    view.saveJoints(joints.fileName());
-    ASSERT_TRUE(waitFor([&] { return joints.open(QFile::ReadOnly); }));
-    EXPECT_TRUE(joints.readAll().contains(",LeftForeArm,"));
-    QTest::keyClick(&view, Qt::Key_Escape);
-    EXPECT_FALSE(page_->showsFullReport());
 }
 
 }  // namespace
