@@ -21,18 +21,22 @@ void ManifoldFilter::noteHeard(const std::vector<InertialMeasurement>& measureme
 /// A gap of the whole link ends board by board and axis by axis. Until most are back, distances alone would
 /// drive the limbs.
 std::vector<bool> ManifoldFilter::silentLinks() const {
-    const auto isHeard = [&](size_t board) { return seconds() - now_.heard_s[board] <= kSilent_s; };
-    size_t heard = 0;
-    for (size_t board = 0; board < suit_.boards.size(); ++board)
-        heard += isHeard(board);
+    size_t worn = 0, heard = 0;
+    std::vector<bool> has_board(tree_.links().size()), is_heard(tree_.links().size());
+    for (size_t board = 0; board < suit_.boards.size(); ++board) {
+        if (suit_.boards[board].link < 0)
+            continue;  // on nobody, as an anchor's
+        const auto link = static_cast<size_t>(suit_.boards[board].link);
+        const bool speaks = seconds() - now_.heard_s[board] <= kSilent_s;
+        ++worn;
+        heard += speaks;
+        has_board[link] = true;
+        is_heard[link] = is_heard[link] || speaks;
+    }
     std::vector<bool> silent(tree_.links().size(), heard == 0);
-    if (2 * heard >= suit_.boards.size())
-        return silent;
-    for (size_t board = 0; board < suit_.boards.size(); ++board)
-        silent[static_cast<size_t>(suit_.boards[board].link)] = true;
-    for (size_t board = 0; board < suit_.boards.size(); ++board)
-        if (isHeard(board))
-            silent[static_cast<size_t>(suit_.boards[board].link)] = false;
+    if (heard > 0 && 2 * heard < worn)
+        for (size_t link = 0; link < silent.size(); ++link)
+            silent[link] = has_board[link] && !is_heard[link];
     return silent;
 }
 
