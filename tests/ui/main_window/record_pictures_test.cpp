@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures of Record: without a suit, ready, counting down, recording, and with faults.
+#include <QPointer>
+
 #include "core/session/shot_list.h"
 #include "tests/ui/main_window/live_pictures.h"
 #include "ui/models/countdown_setting.h"
@@ -22,12 +24,17 @@ protected:
     }
     /// The countdown's menu, by itself.
     void saveMenu(const QString& name) {
+        QList<QPointer<QPushButton>> buttons;  // cards of readiness come and go meanwhile
         for (auto* button : window_->findChildren<QPushButton*>())
-            if (button->menu() && button->isVisible()) {
+            buttons.append(button);
+        for (const auto& button : buttons)
+            if (button && button->menu() && button->isVisible()) {
                 button->menu()->popup(button->mapToGlobal(QPoint()));
                 QTest::qWait(300);
-                saveAs(*button->menu(), name);
-                button->menu()->close();
+                if (button)
+                    saveAs(*button->menu(), name);
+                if (button)
+                    button->menu()->close();
             }
     }
     void recordOneTake(double seconds) {
