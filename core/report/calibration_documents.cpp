@@ -144,11 +144,12 @@ CalibrationTable distanceErrorTable(const SourceOffsetReport& report) {
 }  // namespace
 
 CalibrationDocument documentOf(const SourceOffsetReport& report) {
-    std::string summary = "Offsets of " + counted(report.sources, &SourceOffset::calibrated) + " sources; ";
-    summary +=
+    const std::string judged =
         report.leave_one_out.count > 0
             ? "a distance is right within " + millimetres(report.leave_one_out.mean_m) + " mm in the mean"
             : "no distance could be judged";
+    const std::string summary =
+        "Offsets of " + counted(report.sources, &SourceOffset::calibrated) + " sources; " + judged;
     CalibrationDocument found = document("Source offsets", summary, report.findings,
                                          {offsetTable(report), distanceErrorTable(report)});
     double worst_sigma_s = 0;
@@ -169,7 +170,7 @@ CalibrationDocument documentOf(const AccelerometerReport& report) {
     CalibrationTable table{
         "Boards",
         "Standard deviations of the worst axis. Good: zeros within 2 mg, slopes within 0.04 %.",
-        {"board", "positions", "σ of zero, mg", "σ of slope, %", "worst |a| − g, m/s²"},
+        {"board", "positions", "σ of zero, mg", "σ of slope, %", "worst deviation from g, m/s²"},
         {}};
     for (const AccelerometerBoard& board : report.boards) {
         double worst = 0;

@@ -7069,8 +7069,8 @@
         <translation>Versätze</translation>
     </message>
     <message>
-        <source>Offsets of %1 sources;</source>
-        <translation>Versätze von %1 Quellen;</translation>
+        <source>Offsets of %1 sources; %2</source>
+        <translation>Versätze von %1 Quellen; %2</translation>
     </message>
     <message>
         <source>One processing of the take with its own settings</source>
@@ -8059,6 +8059,10 @@
     <message>
         <source>with outliers</source>
         <translation>mit Ausreißern</translation>
+    </message>
+    <message>
+        <source>worst deviation from g, m/s²</source>
+        <translation>größte Abweichung von g, m/s²</translation>
     </message>
     <message>
         <source>worst, mm</source>

@@ -12066,7 +12066,7 @@ Drehen, beide Richtungen x3</translation>
     </message>
     <message>
         <source>Calibrate with what there is</source>
-        <translation>Mit dem Vorhandenen kalibrieren</translation>
+        <translation>Mit Vorhandenem kalibrieren</translation>
     </message>
     <message>
         <source>The step that was taken last, once more (Backspace)</source>

@@ -14,7 +14,8 @@ namespace noctule::ui {
 namespace {
 
 constexpr int kTicks = 4;
-constexpr int kErrorRow = 20, kNames = 130, kFoot = 26;
+constexpr int kErrorRow = 20, kFoot = 26, kNameGap = 8;
+constexpr double kMostNames = 0.45;  ///< of the width
 
 /// 1, 2 or 5 times a power of ten that is not below.
 double roundUp(double value) {
@@ -79,7 +80,12 @@ bool ErrorPlot::hasBeyondScale() const {
 
 ErrorPlot::Axis ErrorPlot::axis() const {
     const Theme& theme = Theme::get();
-    const int left = theme.px(kNames), right = width() - theme.px(16);
+    const QFontMetrics metrics(theme.font(TextRole::kSecondary));
+    int names = 0;
+    for (const CalibrationErrors::Row& row : errors_.rows)
+        names = std::max(names, metrics.horizontalAdvance(coreWords(row.name)));
+    const int left = std::min(names + 1, static_cast<int>(kMostNames * width())) + theme.px(kNameGap),
+              right = width() - theme.px(16);
     return {left, right, static_cast<int>(errors_.rows.size()) * theme.px(kErrorRow), scaleEnd()};
 }
 
@@ -128,7 +134,7 @@ void ErrorPlot::paintEvent(QPaintEvent*) {
     paintAxis(painter, axis);
     QColor before = tokens.t3;
     before.setAlphaF(0.45);
-    const int row = theme.px(kErrorRow), names = axis.left - theme.px(8);
+    const int row = theme.px(kErrorRow), names = axis.left - theme.px(kNameGap);
     painter.setFont(theme.font(TextRole::kSecondary));
     for (size_t i = 0; i < errors_.rows.size(); ++i) {
         const CalibrationErrors::Row& part = errors_.rows[i];

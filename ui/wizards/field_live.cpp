@@ -16,7 +16,7 @@
 #include "ui/wizards/headline.h"
 #include "ui/wizards/hold_ring.h"
 #include "ui/wizards/measure_meter.h"
-#include "ui/wizards/tone_card.h"
+#include "ui/wizards/sentence_card.h"
 
 namespace noctule::ui {
 
@@ -27,9 +27,7 @@ FieldLive::FieldLive(QWidget* parent)
       instruction_(new Headline),
       drawing_(new FieldDrawing),
       heights_(new FieldHeights),
-      ring_(new HoldRing),
-      sentence_(new Label({}, TextRole::kVerdict, Ink::kValue, true)),
-      detail_(new Label({}, TextRole::kSection, Ink::kLabel)),
+      card_(new SentenceCard),
       foot_(new Label(tr("The page goes on by itself when every sensor has 90 % of all directions. A sensor "
                          "that stays behind can be done alone afterwards."),
                       TextRole::kSecondary, Ink::kLabel)) {
@@ -44,30 +42,16 @@ FieldLive::FieldLive(QWidget* parent)
     column->addWidget(instruction_);
     column->addWidget(drawing_, 1);
     column->addWidget(heights_, 1);
-    column->addWidget(makeSentence());
+    column->addWidget(card_);
     column->addWidget(makeChecks());
     column->addWidget(foot_->wrapped());
-}
-
-QWidget* FieldLive::makeSentence() {
-    card_ = new ToneCard;
-    auto* row = makeRow(card_, {20, 16, 20, 16}, 20);
-    row->addWidget(ring_);
-    auto* words = new QWidget;
-    auto* column = makeColumn(words, {}, 4);
-    column->addStretch();
-    column->addWidget(sentence_->wrapped());
-    column->addWidget(detail_->wrapped());
-    column->addStretch();
-    row->addWidget(words, 1);
-    return card_;
 }
 
 QWidget* FieldLive::makeChecks() {
     auto* all = new QWidget;
     auto* row = makeRow(all, {}, 12);
     for (MeasureMeter*& check : checks_) {
-        check = new MeasureMeter(MeasureMeter::Value::kBelow);
+        check = new MeasureMeter(MeasureMeter::Form::kBelow);
         row->addWidget(check, 1);
     }
     return all;
@@ -88,7 +72,7 @@ QString FieldLive::instruction() const {
 }
 
 QString FieldLive::sentence() const {
-    return sentence_->text();
+    return card_->sentence();
 }
 
 void FieldLive::refresh() {
@@ -110,13 +94,11 @@ void FieldLive::refresh() {
     else
         heights_->show(guide->spot(), step == FieldGuide::kFloor, guide->strongerNow_percent());
     const LiveSentence now = fieldSentence(*run_);
-    card_->setTone(now.tone);
-    sentence_->setText(now.sentence);
-    detail_->setText(now.detail);
+    card_->setSentence(now);
     if (turns)
-        ring_->showShare(share, now.tone == Tone::kOk ? Tone::kOk : Tone::kAccent);
+        card_->ring().showShare(share, now.tone == Tone::kOk ? Tone::kOk : Tone::kAccent);
     else
-        ring_->show(run_->heldShare(), holdOf(run_->task()), Tone::kOk);
+        card_->ring().show(run_->heldShare(), holdOf(run_->task()), Tone::kOk);
     showChecks();
     // Heard with the bag in both hands and one's back to the screen.
     const bool guides = run_->phase() == WizardRun::Phase::kGuiding;

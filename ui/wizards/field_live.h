@@ -12,10 +12,9 @@ namespace noctule::ui {
 class FieldDrawing;
 class FieldHeights;
 class Headline;
-class HoldRing;
 class Label;
 class MeasureMeter;
-class ToneCard;
+class SentenceCard;
 class WizardRun;
 
 class FieldLive : public QWidget {
@@ -28,7 +27,6 @@ public:
     QString sentence() const;
 
 private:
-    QWidget* makeSentence();
     QWidget* makeChecks();
     void refresh();
     void showChecks();
@@ -38,9 +36,8 @@ private:
     Headline* instruction_;
     FieldDrawing* drawing_;
     FieldHeights* heights_;
-    ToneCard* card_ = nullptr;
-    HoldRing* ring_;
-    Label *sentence_, *detail_, *foot_;
+    SentenceCard* card_;
+    Label* foot_;
     std::array<MeasureMeter*, 3> checks_{};
     QString said_;
 };

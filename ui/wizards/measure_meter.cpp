@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/wizards/measure_meter.h"
 
-#include <QHBoxLayout>
-#include <QVBoxLayout>
+#include <QGridLayout>
+#include <initializer_list>
 
 #include "ui/style/words.h"
 #include "ui/views/scaled_layout.h"
@@ -11,22 +11,44 @@
 #include "ui/widgets/label.h"
 
 namespace noctule::ui {
+namespace {
 
-MeasureMeter::MeasureMeter(Value value)
+constexpr int kGap = 6, kStretch = 2, kColumns = 5, kLineBar = 90;
+
+}  // namespace
+
+MeasureMeter::MeasureMeter(Form form)
     : icon_(new IconLabel("check", [] { return colorOf(Ink::kOk); })),
       name_(new Label({}, TextRole::kSecondary, Ink::kOk, true)),
       value_(new Label({}, TextRole::kSecondary, Ink::kLabel)),
-      bar_(new BarMeter) {
-    auto* column = makeColumn(this, {}, 6);
-    auto* head = addRow(column, 6);
-    head->addWidget(icon_);
-    head->addWidget(name_);
-    head->addStretch();
-    if (value == Value::kBeside)
-        head->addWidget(value_);
+      bar_(new BarMeter),
+      grid_(makeGrid(this, {}, kGap)) {
+    grid_->setColumnStretch(kStretch, 1);
+    if (form == Form::kBelow)
+        value_->wrapped();
+    setForm(form);
+}
+
+void MeasureMeter::setForm(Form form) {
+    for (QWidget* part : std::initializer_list<QWidget*>{icon_, name_, value_, bar_})
+        grid_->removeWidget(part);
+    grid_->addWidget(icon_, 0, 0);
+    grid_->addWidget(name_, 0, 1);
+    const bool is_line = form == Form::kLine;
+    if (form == Form::kBelow)
+        grid_->addWidget(value_, 1, 0, 1, kColumns);
     else
-        column->addWidget(value_->wrapped());
-    column->addWidget(bar_);
+        grid_->addWidget(value_, 0, kStretch + 1);
+    if (is_line)
+        grid_->addWidget(bar_, 0, kColumns - 1, Qt::AlignVCenter);
+    else
+        grid_->addWidget(bar_, 2, 0, 1, kColumns);
+    bar_->setMinimumWidth(is_line ? Theme::get().px(kLineBar) : 0);
+}
+
+int MeasureMeter::widthBeside() const {
+    const int gap = Theme::get().px(kGap);
+    return icon_->sizeHint().width() + name_->sizeHint().width() + value_->sizeHint().width() + 4 * gap;
 }
 
 void MeasureMeter::setMeasure(const LiveMeasure& measure) {

@@ -6,6 +6,8 @@
 
 #include "ui/wizards/wizard_words.h"
 
+class QGridLayout;
+
 namespace noctule::ui {
 
 class BarMeter;
@@ -15,18 +17,23 @@ class Label;
 class MeasureMeter : public QWidget {
     Q_OBJECT
 public:
-    enum class Value {
-        kBeside,  ///< the name, in one line
-        kBelow,   ///< it, for values that need more room than a small window has
+    enum class Form {
+        kBeside,  ///< the value at the end of the name's line, the bar below
+        kBelow,   ///< the value below the name: it needs more room than a small window has
+        kLine,    ///< all in one line, for meters that stand on one another
     };
-    explicit MeasureMeter(Value value);
+    explicit MeasureMeter(Form form);
 
+    void setForm(Form form);
     void setMeasure(const LiveMeasure& measure);
+    /// Pixels that name and value need in one line.
+    int widthBeside() const;
 
 private:
     IconLabel* icon_;
     Label *name_, *value_;
     BarMeter* bar_;
+    QGridLayout* grid_;
 };
 
 }  // namespace noctule::ui

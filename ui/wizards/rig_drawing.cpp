@@ -40,14 +40,14 @@ void RigDrawing::setDescription(const QString& words) {
     setAccessibleName(words);
 }
 
-QSize RigDrawing::minimumSizeHint() const {
-    const Theme& theme = Theme::get();
-    return {theme.px(320), theme.px(200)};
-}
-
+/// It fills what its page leaves.
 QSize RigDrawing::sizeHint() const {
     const Theme& theme = Theme::get();
-    return {theme.px(800), theme.px(430)};
+    return {theme.px(320), theme.px(120)};
+}
+
+QSize RigDrawing::minimumSizeHint() const {
+    return sizeHint();
 }
 
 void RigDrawing::paintEvent(QPaintEvent*) {

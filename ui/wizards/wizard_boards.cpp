@@ -2,6 +2,7 @@
 #include "ui/wizards/wizard_boards.h"
 
 #include <QVBoxLayout>
+#include <utility>
 
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
@@ -33,14 +34,12 @@ WizardBoards::WizardBoards(QWidget* parent)
     auto* foot = new QWidget;
     auto* foot_column = makeColumn(foot, {12, 8, 12, 12}, 8);
     foot_column->addWidget(words_->wrapped());
-    auto* row = addRow(foot_column, 8);
-    row->addWidget(repeat_);
-    row->addWidget(skip_);
-    row->addStretch();
-    auto* last = addRow(foot_column, 8);
-    last->addWidget(enough_);
-    last->addStretch();
-    last->addWidget(back_);
+    for (const auto& [first, second] : {std::pair{repeat_, back_}, std::pair{skip_, enough_}}) {
+        auto* row = addRow(foot_column, 8);
+        row->addWidget(first);
+        row->addStretch();
+        row->addWidget(second);
+    }
     column->addWidget(foot);
     repeat_->setShortcutHint(Qt::Key_R);
     skip_->setShortcutHint(Qt::Key_S);

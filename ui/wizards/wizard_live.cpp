@@ -2,7 +2,10 @@
 #include "ui/wizards/wizard_live.h"
 
 #include <QHBoxLayout>
+#include <QResizeEvent>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
 
 #include "ui/models/capture_context.h"
 #include "ui/models/part_names.h"
@@ -10,14 +13,17 @@
 #include "ui/views/body_figure.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/label.h"
+#include "ui/widgets/scroll_area.h"
 #include "ui/wizards/hold_ring.h"
 #include "ui/wizards/measure_meter.h"
 #include "ui/wizards/rig_drawing.h"
-#include "ui/wizards/tone_card.h"
+#include "ui/wizards/sentence_card.h"
 #include "ui/wizards/wizard_words.h"
 
 namespace noctule::ui {
 namespace {
+
+constexpr int kNarrowPage = 600, kBetweenMeasures = 24, kBetweenLines = 6;
 
 BoardMark markOf(const WizardRun& run, int board) {
     const Guide& guide = *run.guide();
@@ -50,44 +56,58 @@ WizardLive::WizardLive(CaptureContext& capture, QWidget* parent)
       so_far_(new Label({}, TextRole::kSecondary, Ink::kLabel)),
       instruction_(new Label({}, TextRole::kInstruction, Ink::kValue, true)),
       drawing_(new RigDrawing),
-      ring_(new HoldRing),
-      sentence_(new Label({}, TextRole::kVerdict, Ink::kValue, true)),
-      detail_(new Label({}, TextRole::kSection, Ink::kLabel)) {
+      card_(new SentenceCard) {
     auto* column = makeColumn(this, {32, 20, 32, 20}, 12);
-    auto* head = addRow(column);
+    // With large text in a small window the drawing scrolls; the sentence below it always stands in view.
+    auto* task = new QWidget;
+    column->addWidget(new ScrollArea(task), 1);
+    auto* task_column = makeColumn(task, {}, 12);
+    auto* head = addRow(task_column);
     head->addWidget(step_);
     head->addStretch();
     head->addWidget(so_far_);
-    column->addWidget(instruction_->wrapped());
-    column->addWidget(drawing_, 1);
-    column->addWidget(makeCard());
+    task_column->addWidget(instruction_->wrapped());
+    task_column->addWidget(drawing_, 1);
+    column->addWidget(card_);
     column->addWidget(makeMeasures());
-}
-
-QWidget* WizardLive::makeCard() {
-    card_ = new ToneCard;
-    auto* row = makeRow(card_, {20, 16, 20, 16}, 20);
-    row->addWidget(ring_);
-    auto* words = new QWidget;
-    auto* column = makeColumn(words, {}, 4);
-    column->addStretch();
-    column->addWidget(sentence_->wrapped());
-    column->addWidget(detail_->wrapped());
-    column->addStretch();
-    row->addWidget(words, 1);
-    // What changes ten times a second must not move the drawing above it.
-    keepSize(*card_, 0, 116);
-    return card_;
+    connect(&Theme::get(), &Theme::changed, this, [this] { fit(true); });
 }
 
 QWidget* WizardLive::makeMeasures() {
     auto* all = new QWidget;
-    auto* row = makeRow(all, {}, 24);
+    measures_row_ = makeRow(all, {}, kBetweenMeasures);
     for (MeasureMeter*& measure : measures_) {
-        measure = new MeasureMeter(MeasureMeter::Value::kBeside);
-        row->addWidget(measure, 1);
+        measure = new MeasureMeter(MeasureMeter::Form::kBeside);
+        measures_row_->addWidget(measure, 1);
     }
     return all;
+}
+
+/// In a narrow page the instruction is smaller and each measure has a line of its own. Back to wide only
+/// `anew`: numbers that change must not change the page.
+void WizardLive::fit(bool anew) {
+    const Theme& theme = Theme::get();
+    instruction_->setRole(width() < theme.px(kNarrowPage) ? TextRole::kVerdict : TextRole::kInstruction);
+    const QMargins edges = layout()->contentsMargins();
+    const int shown = static_cast<int>(
+        std::ranges::count_if(measures_, [](const MeasureMeter* measure) { return !measure->isHidden(); }));
+    const int room = (width() - edges.left() - edges.right() - (shown - 1) * theme.px(kBetweenMeasures)) /
+                     std::max(1, shown);
+    const bool is_narrow = std::ranges::any_of(measures_, [room](const MeasureMeter* measure) {
+        return !measure->isHidden() && measure->widthBeside() > room;
+    });
+    if (!is_narrow && !anew)
+        return;
+    measures_row_->setDirection(is_narrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    measures_row_->setSpacing(theme.px(is_narrow ? kBetweenLines : kBetweenMeasures));
+    for (MeasureMeter* measure : measures_)
+        measure->setForm(is_narrow ? MeasureMeter::Form::kLine : MeasureMeter::Form::kBeside);
+}
+
+void WizardLive::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    if (event->size().width() != event->oldSize().width())
+        fit(true);
 }
 
 void WizardLive::setRun(WizardRun* run) {
@@ -130,26 +150,29 @@ QString WizardLive::instruction() const {
 }
 
 QString WizardLive::sentence() const {
-    return sentence_->text();
+    return card_->sentence();
 }
 
 void WizardLive::refresh() {
     if (!run_ || !run_->guide())
         return;
     const int step = run_->step(), steps = run_->stepCount();
+    const bool another = std::exchange(shown_step_, step) != step;
+    if (another)
+        card_->forgetHeight();
     step_->setText(steps > 1 ? tr("Step %1 of %2").arg(step + 1).arg(steps) : wordsOf(run_->task()).title);
     so_far_->setText(tr("%1 so far").arg(timeText(run_->secondsSoFar(), 0)));
     const bool stands_first = run_->task() == WizardTask::kMovement && !exerciseFrame();
     const QString instruction = run_->stepWords(step).instruction;
     instruction_->setText(stands_first ? tr("Stand still. Then: %1").arg(instruction) : instruction);
     const LiveSentence now = sentenceOf(*run_);
-    card_->setTone(now.tone);
-    sentence_->setText(now.sentence);
-    detail_->setText(now.detail);
-    ring_->show(run_->heldShare(), holdOf(run_->task()), now.tone == Tone::kOk ? Tone::kOk : Tone::kNeutral);
+    card_->setSentence(now);
+    card_->ring().show(run_->heldShare(), holdOf(run_->task()),
+                       now.tone == Tone::kOk ? Tone::kOk : Tone::kNeutral);
     dress();
     showPicture();
     showMeasures();
+    fit(another);
 }
 
 void WizardLive::showPicture() {

@@ -9,14 +9,15 @@
 
 #include "ui/wizards/exercise_figures.h"
 
+class QBoxLayout;
+
 namespace noctule::ui {
 
-class HoldRing;
 class Label;
 class MeasureMeter;
 class RigDrawing;
 class CaptureContext;
-class ToneCard;
+class SentenceCard;
 class WizardRun;
 
 class WizardLive : public QWidget {
@@ -28,14 +29,17 @@ public:
     QString instruction() const;
     QString sentence() const;
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
-    QWidget* makeCard();
     QWidget* makeMeasures();
     void refresh();
     void showPicture();
     void dress();
     std::optional<int> exerciseFrame() const;
     void showMeasures();
+    void fit(bool anew);
 
     CaptureContext& capture_;
     WizardRun* run_ = nullptr;
@@ -44,10 +48,10 @@ private:
     /// What the drawing shows: -1 the rest pose, else an exercise's frame; absent: nothing yet.
     std::optional<int> dressed_for_;
     ExerciseFigures exercises_;
-    ToneCard* card_ = nullptr;
-    HoldRing* ring_;
-    Label *sentence_, *detail_;
+    SentenceCard* card_;
+    QBoxLayout* measures_row_ = nullptr;
     std::array<MeasureMeter*, 3> measures_{};
+    int shown_step_ = -1;
 };
 
 }  // namespace noctule::ui

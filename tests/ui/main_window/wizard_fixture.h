@@ -26,23 +26,29 @@ protected:
     void bothSizesAreWhole(const QString& name) {
         for (const double scale : {1.0, 1.5}) {
             Theme::get().setScale(scale);
-            smallWindowIsWhole(QStringLiteral("%1, %2, %3 %").arg(name, GetParam()).arg(100 * scale));
+            const QString look = QStringLiteral("%1, %2 %").arg(GetParam()).arg(100 * scale);
+            smallWindowIsWhole(name + ", " + look);
+            savePicture(name, look);
         }
         Theme::get().setScale(1);
+    }
+    void savePicture(const QString& name, const QString& look) {
+        const QString folder = qEnvironmentVariable("NOCTULE_SCREENSHOTS");
+        if (!folder.isEmpty())
+            window_->grab().save(QStringLiteral("%1/window-%2-%3.png")
+                                     .arg(folder, QString(name).replace(' ', '-'),
+                                          QString(look).remove(',').remove('%').replace(' ', '-')));
     }
     void wizardIsWhole(const QString& name) {
         inEveryLook(
             [&](const QString& look) { smallWindowIsWhole(QStringLiteral("%1, %2").arg(name, look)); });
-        const QString folder = qEnvironmentVariable("NOCTULE_SCREENSHOTS");
-        if (!folder.isEmpty())
+        if (!qEnvironmentVariableIsEmpty("NOCTULE_SCREENSHOTS"))
             inEveryLook([&](const QString& look) {
                 const bool large = look.contains("150");
                 window_->resize(large ? QSize(1280, 800) : QSize(1440, 900));
                 window_->sideDocks().reset();
                 QTest::qWait(300);
-                window_->grab().save(
-                    QStringLiteral("%1/window-%2-%3.png")
-                        .arg(folder, name, QString(look).remove(',').remove('%').replace(' ', '-')));
+                savePicture(name, look);
             });
         Theme::get().setScale(1);
         Theme::get().setScheme(Scheme::kDark);

@@ -59,7 +59,7 @@ private:
     static QString withoutNames(QString text) {
         static const QRegularExpression names(
             "<[^>]*>|\\{\\w+\\}|\\S*[/\\\\]\\S*|\\b[\\w-]+\\.(noctule|bvh|csv|json|txt|fbx|glb)\\b|OpenGL "
-            "\\d\\.\\d|(placement|source), (kind|source|board), [\\w, ]*_m\\b");
+            "\\d\\.\\d|(placement, )?(source|kind), (board|id),?( [\\w, ]*_m\\b)?");
         return text.remove(names);
     }
 
