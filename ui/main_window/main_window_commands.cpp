@@ -164,14 +164,14 @@ void MainWindow::importRecording(const QStringList& paths) {
 }
 
 void MainWindow::showPreferences() {
-    bool language_changed = false;
+    bool words_changed = false;
     {
         PreferencesDialog dialog(studio_, this);
-        connect(&dialog, &PreferencesDialog::languageChanged, this, [&] { language_changed = true; });
+        connect(&dialog, &PreferencesDialog::wordsChanged, this, [&] { words_changed = true; });
         dialog.exec();
     }
-    if (language_changed)
-        emit languageChanged();  // this window may be gone afterwards
+    if (words_changed)
+        emit wordsChanged();  // this window may be gone afterwards
 }
 
 void MainWindow::offerTour() {

@@ -3,7 +3,6 @@
 
 #include <QDate>
 #include <QDir>
-#include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
@@ -12,6 +11,7 @@
 
 #include "core/session/placement.h"
 #include "ui/models/shared_context.h"
+#include "ui/views/length_box.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/form_rows.h"
@@ -92,11 +92,7 @@ void NewSessionDialog::buildFields(QVBoxLayout& column) {
 
     performer_ = new QLineEdit(SessionModel::firstPerformer());
     rows->addRow(tr("Performer"), performer_);
-    height_ = new QDoubleSpinBox;
-    height_->setRange(kLowest_m, kHighest_m);
-    height_->setSingleStep(0.01);
-    height_->setDecimals(2);
-    height_->setSuffix(tr(" m", "unit of length after a number"));
+    height_ = new LengthBox(kLowest_m, kHighest_m, LengthBox::Metric::kMetres);
     height_->setValue(1.75);
     rows->addRow(tr("Height"), height_);
     rows->addHint(
