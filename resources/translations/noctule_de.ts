@@ -2716,6 +2716,15 @@
         <source>Somebody can walk past the anchors now</source>
         <translation>Jetzt kann jemand an den Ankern vorbeigehen</translation>
     </message>
+    <message>
+        <source>Put %1 aside</source>
+        <translation>%1 beiseitelegen</translation>
+    </message>
+    <message>
+        <source>%1 is put aside; undo with %2.</source>
+        <comment>file, key</comment>
+        <translation>%1 liegt beiseite; mit %2 rückgängig.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::CalibrationShelf</name>
@@ -10410,6 +10419,27 @@ Median; gut: unter %1</translation>
     <message>
         <source>Move %1 to “%2”</source>
         <translation>%1 nach „%2“ verschieben</translation>
+    </message>
+    <message>
+        <source>%1 was not moved to %2</source>
+        <comment>file, folder</comment>
+        <translation>%1 wurde nicht nach %2 verschoben</translation>
+    </message>
+    <message>
+        <source>See whether that folder can be written and has no file of this name</source>
+        <translation>Sehen Sie nach, ob der Ordner beschreibbar ist und keine Datei dieses Namens hat</translation>
+    </message>
+    <message>
+        <source>New takes are made with it. Use another calibration for them first.</source>
+        <translation>Neue Takes entstehen mit ihr. Nehmen Sie für sie erst eine andere Kalibrierung.</translation>
+    </message>
+    <message>
+        <source>Put %1 aside</source>
+        <translation>%1 beiseitelegen</translation>
+    </message>
+    <message>
+        <source>%1 is in use</source>
+        <translation>%1 ist in Gebrauch</translation>
     </message>
 </context>
 <context>

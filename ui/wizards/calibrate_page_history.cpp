@@ -16,6 +16,7 @@
 #include "ui/widgets/question.h"
 #include "ui/widgets/scroll_area.h"
 #include "ui/widgets/section_header.h"
+#include "ui/widgets/tool_button.h"
 #include "ui/wizards/calibrate_page.h"
 #include "ui/wizards/compare_dialog.h"
 
@@ -91,9 +92,24 @@ void CalibratePage::chooseExport() {
         studio_.sayOfFile(tr("%1 is written.").arg(QFileInfo(path).fileName()));
 }
 
+QWidget* CalibratePage::makeAsideButton(const QString& file) {
+    auto* aside = new ToolButton("close", tr("Put %1 aside").arg(file.section('.', 0, 0)));
+    aside->setDisabledBecause(studio_.session().whyNotAside(file));
+    connect(aside, &QToolButton::clicked, this, [this, file] {
+        studio_.session().putCalibrationAside(file);
+        if (!QFileInfo::exists(QString::fromStdString(
+                (studio_.session().session().calibrationFolder() / file.toStdString()).string())))
+            studio_.sayOfFile(tr("%1 is put aside; undo with %2.", "file, key")
+                                  .arg(file, keysText(Keys::keyOf("window/undo", QKeySequence("Ctrl+Z")))));
+    });
+    aside_.push_back(aside);
+    return aside;
+}
+
 void CalibratePage::showHistory() {
     clearWidgetsLater(*history_);
     use_.clear();
+    aside_.clear();
     const CalibrationShelf& shelf = studio_.calibrations();
     for (const ShelvedCalibration& one : shelf.all()) {
         if (shelf.isOfAnotherSuit(one))
@@ -104,7 +120,9 @@ void CalibratePage::showHistory() {
         auto* column = makeColumn(card, {12, 8, 12, 8}, 2);
         auto* name = new ElidedLabel(one.file.section('.', 0, 0));
         name->setElideMode(Qt::ElideMiddle);
-        column->addWidget(name);
+        auto* head = addRow(column);
+        head->addWidget(name, 1);
+        head->addWidget(makeAsideButton(one.file));
         column->addWidget(new Label(in_force ? tr("%1, in use").arg(dateText(one.made().toLocalTime()))
                                              : dateText(one.made().toLocalTime()),
                                     TextRole::kSecondary, Ink::kHint));

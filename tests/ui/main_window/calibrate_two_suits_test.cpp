@@ -114,6 +114,21 @@ TEST_F(CalibrateTwoSuits, NobodyIsOfferedWhatWasCalibratedOfTheOther) {
     EXPECT_EQ(page().useButtons().size(), 1u) << "not Bob's";
 }
 
+TEST_F(CalibrateTwoSuits, WhatIsNotInUseIsPutAsideFromTheList) {
+    CalibrationResult found;
+    found.calibration = nominalCalibration(studio_->suit().suit());
+    found.calibration.created_utc = "2026-03-01T10:00:00Z";
+    ASSERT_EQ(studio_->calibrations().save(found, "gyroscopes"), "");
+    found.calibration.created_utc = "2026-03-01T11:00:00Z";
+    ASSERT_EQ(studio_->calibrations().save(found, "gyroscopes"), "");
+    ASSERT_EQ(page().asideButtons().size(), 2u);
+    EXPECT_FALSE(page().asideButtons()[0]->isEnabled()) << "the newest is in use";
+    page().asideButtons()[1]->click();
+    EXPECT_EQ(page().asideButtons().size(), 1u);
+    studio_->session().undoStack().undo();
+    EXPECT_EQ(page().asideButtons().size(), 2u);
+}
+
 TEST_F(CalibrateTwoSuits, TheSessionsOwnCalibrationIsInUseForTheSuitThatHasIt) {
     performer(0).click();
     CalibrationResult found;
