@@ -4,7 +4,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QSpinBox>
 #include <QVBoxLayout>
@@ -14,6 +13,7 @@
 #include "ui/language/language.h"
 #include "ui/main_window/look.h"
 #include "ui/models/countdown_setting.h"
+#include "ui/models/file_choice.h"
 #include "ui/models/tones.h"
 #include "ui/models/voice.h"
 #include "ui/style/lengths.h"
@@ -171,7 +171,9 @@ void PreferencesDialog::addFolders(QVBoxLayout& column) {
 
 void PreferencesDialog::chooseSessionsFolder() {
     const QString folder =
-        QFileDialog::getExistingDirectory(this, tr("Folder for new sessions"), studio_.sessionsFolder());
+        FileChoice{
+            .kind = "sessions_home", .title = tr("Folder for new sessions"), .at = studio_.sessionsFolder()}
+            .folder(this);
     if (folder.isEmpty())
         return;
     studio_.settings().setValue("folders/sessions", folder);

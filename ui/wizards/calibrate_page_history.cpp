@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The left dock of step Calibrate: the calibrations of the session, and files that come and go.
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "ui/models/file_choice.h"
 #include "ui/style/keys.h"
 #include "ui/style/words.h"
 #include "ui/views/newer_values.h"
@@ -51,7 +51,7 @@ QWidget* CalibratePage::makeFiles() {
 
 void CalibratePage::chooseImport() {
     const QString path =
-        QFileDialog::getOpenFileName(this, tr("Import a calibration"), {}, tr("Calibrations (*.json)"));
+        FileChoice{"calibrations", tr("Import a calibration"), tr("Calibrations (*.json)")}.toOpen(this);
     if (!path.isEmpty())
         importFile(path);
 }
@@ -81,9 +81,10 @@ bool CalibratePage::mayUseAnother(const QString& name, const QString& other) {
 
 void CalibratePage::chooseExport() {
     const QString name = studio_.calibrations().fileInForce();
-    const QString path = QFileDialog::getSaveFileName(
-        this, tr("Export the calibration in use"), name.isEmpty() ? QStringLiteral("calibration.json") : name,
-        tr("Calibrations (*.json)"));
+    const QString path =
+        FileChoice{"calibrations", tr("Export the calibration in use"), tr("Calibrations (*.json)"),
+                   name.isEmpty() ? QStringLiteral("calibration.json") : name}
+            .toSave(this);
     if (path.isEmpty())
         return;
     if (const QString why = studio_.calibrations().exportFile(path); !why.isEmpty())

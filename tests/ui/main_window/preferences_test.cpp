@@ -51,6 +51,7 @@ TEST_F(PreferencesTest, UnitsAreKeptAndTheWindowIsMadeAnewWithThem) {
     EXPECT_EQ(chosenUnits(), Units::kImperial);
     restart();
     EXPECT_EQ(PreferencesDialog(*studio_).units().currentIndex(), 1);
+    chooseUnits(Units::kMetric);
 }
 
 TEST_F(PreferencesTest, TonesArePlayedOnTheChosenDeviceOrElseByTheDesktop) {

@@ -2,7 +2,6 @@
 #include "ui/views/session/motion_dialog.h"
 
 #include <QComboBox>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QRegularExpression>
 #include <QSlider>
@@ -11,6 +10,7 @@
 #include "core/body/joint_names.h"
 #include "core/mesh/rig/bone_map.h"
 #include "ui/language/core_words.h"
+#include "ui/models/file_choice.h"
 #include "ui/models/part_names.h"
 #include "ui/style/lengths.h"
 #include "ui/style/words.h"
@@ -30,7 +30,6 @@ constexpr int kMotionDialogWidth = 1000, kFactsWidth = 450, kFactLabels = 110, k
               kFactsHeight = 300;
 constexpr double kLeastHeight_m = 0.3, kMostHeight_m = 3, kAsShown_m = 0.29;
 constexpr const char* kScenarioKey = "motions/scenario";
-constexpr const char* kMapsFolderKey = "folders/bone_maps";
 
 int rowOf(const QComboBox& box, int value) {
     return std::max(0, box.findData(value));
@@ -306,15 +305,14 @@ bool MotionDialog::saveBones(const QString& path) {
 }
 
 void MotionDialog::askWhereToSave() {
-    QSettings& settings = studio_.settings();
-    const QDir folder(settings.value(kMapsFolderKey, QFileInfo(path_).path()).toString());
-    const QString path = QFileDialog::getSaveFileName(
-        this, tr("Save as bone map"), folder.filePath(QFileInfo(path_).completeBaseName() + ".bones.json"),
-        tr("Bone maps (*.json)"));
-    if (path.isEmpty())
-        return;
-    settings.setValue(kMapsFolderKey, QFileInfo(path).path());
-    saveBones(path);
+    const QString path = FileChoice{.kind = "bone_maps",
+                                    .title = tr("Save as bone map"),
+                                    .filter = tr("Bone maps (*.json)"),
+                                    .name = QFileInfo(path_).completeBaseName() + ".bones.json",
+                                    .usual = QFileInfo(path_).path()}
+                             .toSave(this);
+    if (!path.isEmpty())
+        saveBones(path);
 }
 
 void MotionDialog::showFacts() {

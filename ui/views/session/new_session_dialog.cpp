@@ -3,13 +3,13 @@
 
 #include <QDate>
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QVBoxLayout>
 
 #include "core/session/placement.h"
+#include "ui/models/file_choice.h"
 #include "ui/models/shared_context.h"
 #include "ui/views/length_box.h"
 #include "ui/views/scaled_layout.h"
@@ -134,7 +134,8 @@ void NewSessionDialog::followName() {
 
 void NewSessionDialog::chooseFolder() {
     const QString home = QFileInfo(folder()).dir().path();
-    const QString chosen = QFileDialog::getExistingDirectory(this, tr("Folder for the new session"), home);
+    const QString chosen =
+        FileChoice{.kind = "new_session", .title = tr("Folder for the new session"), .at = home}.folder(this);
     if (chosen.isEmpty())
         return;
     const bool empty = QDir(chosen).isEmpty(QDir::AllEntries | QDir::NoDotAndDotDot);
