@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // All dialogs that ask for files and folders. Each kind of file has a folder of its own, kept in the
 // settings: where one was chosen last, else the usual one of its kind, else the open session's, else
-// Documents.
+// Documents. A file to write does not go into another session because the last one did.
 #pragma once
 
 #include <QString>

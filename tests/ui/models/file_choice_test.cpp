@@ -53,6 +53,20 @@ TEST_F(FileChoiceTest, BeginsWhereAFileOfItsKindWasChosenLast) {
     EXPECT_EQ(choice.start(), in("session")) << "folders that are gone";
 }
 
+TEST_F(FileChoiceTest, WhatASessionGivesIsNotWrittenIntoTheOneBefore) {
+    for (const char* session : {"session", "used"}) {
+        QFile file(in(session) + "/session.json");
+        ASSERT_TRUE(QDir(in(session)).mkpath("exports") && file.open(QIODevice::WriteOnly));
+    }
+    FileChoice::setSession(in("session"));
+    const FileChoice report{.kind = "reports", .title = "Save", .name = "report.html"};
+    report.remember(in("used/exports/report.html"));
+    EXPECT_EQ(report.start(), in("session"));
+    EXPECT_EQ((FileChoice{"reports", "Open"}).start(), in("used/exports")) << "one may read there";
+    report.remember(in("session/exports/report.html"));
+    EXPECT_EQ(report.start(), in("session/exports"));
+}
+
 TEST_F(FileChoiceTest, TheOpenSessionIsWhereDialogsBegin) {
     QSettings().setValue("folders/sessions", in("given"));
     SharedContext shared(StudioParts{"test", [] { return std::string("2026-01-01T00:00:00Z"); }, {}});
