@@ -13,6 +13,7 @@
 #include "tests/ui/main_window/studio_fixture.h"
 #include "ui/views/connect/suit_switch.h"
 #include "ui/widgets/button.h"
+#include "ui/widgets/tool_button.h"
 #include "ui/wizards/calibrate_page.h"
 #include "ui/wizards/unfinished_calibration.h"
 #include "ui/wizards/wizard_page.h"
