@@ -85,6 +85,8 @@ struct Session {
     std::filesystem::path pathOf(const SessionTake& take) const { return folder / take.file; }
     std::filesystem::path takesFolder() const { return folder / "takes"; }
     std::filesystem::path calibrationFolder() const { return folder / "calibration"; }
+    /// Calibrations that the operator has put aside, each with its report.
+    std::filesystem::path asideFolder() const { return calibrationFolder() / "put aside"; }
     /// Short takes that calibrations were made from.
     std::filesystem::path evidenceFolder() const { return calibrationFolder() / "evidence"; }
     std::filesystem::path trashFolder() const { return folder / "trash"; }

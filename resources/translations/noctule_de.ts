@@ -1079,10 +1079,6 @@
         <source>From the ankle forward to the ball of the foot</source>
         <translation>Vom Knöchel nach vorn bis zum Ballen</translation>
     </message>
-    <message>
-        <source>%1 cm</source>
-        <translation>%1&#xa0;cm</translation>
-    </message>
 </context>
 <context>
     <name>PartNames</name>
@@ -2719,6 +2715,15 @@
     <message>
         <source>Somebody can walk past the anchors now</source>
         <translation>Jetzt kann jemand an den Ankern vorbeigehen</translation>
+    </message>
+    <message>
+        <source>Put %1 aside</source>
+        <translation>%1 beiseitelegen</translation>
+    </message>
+    <message>
+        <source>%1 is put aside; undo with %2.</source>
+        <comment>file, key</comment>
+        <translation>%1 liegt beiseite; mit %2 rückgängig.</translation>
     </message>
 </context>
 <context>
@@ -4696,6 +4701,11 @@
         <comment>centimetres</comment>
         <translation>cm</translation>
     </message>
+    <message>
+        <source>in</source>
+        <comment>inches</comment>
+        <translation>Zoll</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::LevelMeters</name>
@@ -5328,10 +5338,6 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <translation>Einheit</translation>
     </message>
     <message>
-        <source> m</source>
-        <translation> m</translation>
-    </message>
-    <message>
         <source>as the file shows</source>
         <translation>wie die Datei zeigt</translation>
     </message>
@@ -5364,11 +5370,6 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <translation>Knochenzuordnungen (*.json)</translation>
     </message>
     <message>
-        <source>%1 m tall, %2 points up, 1 unit is %3 m</source>
-        <comment>height, axis, length</comment>
-        <translation>%1&#xa0;m groß, %2 zeigt nach oben, 1 Einheit ist %3&#xa0;m</translation>
-    </message>
-    <message>
         <source>no person was found</source>
         <translation>keine Person gefunden</translation>
     </message>
@@ -5396,6 +5397,11 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Say which joints are which first.</source>
         <translation>Zuerst die Gelenke zuordnen.</translation>
+    </message>
+    <message>
+        <source>%1 tall, %2 points up, 1 unit is %3 m</source>
+        <comment>height, axis, length</comment>
+        <translation>%1 groß, %2 zeigt nach oben, 1 Einheit ist %3&#xa0;m</translation>
     </message>
 </context>
 <context>
@@ -5457,11 +5463,6 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Performer</source>
         <translation>Darsteller</translation>
-    </message>
-    <message>
-        <source> m</source>
-        <comment>unit of length after a number</comment>
-        <translation> m</translation>
     </message>
     <message>
         <source>Height</source>
@@ -5782,11 +5783,6 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Measure once more</source>
         <translation>Noch einmal messen</translation>
-    </message>
-    <message>
-        <source> cm</source>
-        <comment>unit after a number</comment>
-        <translation> cm</translation>
     </message>
     <message>
         <source>Height</source>
@@ -6252,6 +6248,26 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     <message>
         <source>Spoken cues are played where the desktop plays its speech.</source>
         <translation>Sprachhinweise kommen dort, wo die Arbeitsumgebung spricht.</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>Einheiten</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation>Längen</translation>
+    </message>
+    <message>
+        <source>Metric: metres, centimetres</source>
+        <translation>Metrisch: Meter, Zentimeter</translation>
+    </message>
+    <message>
+        <source>Imperial: feet, inches</source>
+        <translation>Angloamerikanisch: Fuß, Zoll</translation>
+    </message>
+    <message>
+        <source>For people and rooms. Errors of measurement stay in millimetres; plots, places of boards and files stay metric. Any unit may be typed: 5&apos;11&quot;, 71 in, 180 cm, 1.8 m.</source>
+        <translation>Für Menschen und Räume. Messfehler bleiben in Millimetern; Kurven, Plätze der Boards und Dateien bleiben metrisch. Getippt werden darf jede Einheit: 5&apos;11&quot;, 71 in, 180 cm, 1.8 m.</translation>
     </message>
 </context>
 <context>
@@ -9601,6 +9617,10 @@ Median; gut: unter %1</translation>
         <source>nearly</source>
         <translation>fast gut</translation>
     </message>
+    <message>
+        <source>%1 ft</source>
+        <translation>%1&#xa0;ft</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::RoomPage</name>
@@ -10399,6 +10419,27 @@ Median; gut: unter %1</translation>
     <message>
         <source>Move %1 to “%2”</source>
         <translation>%1 nach „%2“ verschieben</translation>
+    </message>
+    <message>
+        <source>%1 was not moved to %2</source>
+        <comment>file, folder</comment>
+        <translation>%1 wurde nicht nach %2 verschoben</translation>
+    </message>
+    <message>
+        <source>See whether that folder can be written and has no file of this name</source>
+        <translation>Sehen Sie nach, ob der Ordner beschreibbar ist und keine Datei dieses Namens hat</translation>
+    </message>
+    <message>
+        <source>New takes are made with it. Use another calibration for them first.</source>
+        <translation>Neue Takes entstehen mit ihr. Nehmen Sie für sie erst eine andere Kalibrierung.</translation>
+    </message>
+    <message>
+        <source>Put %1 aside</source>
+        <translation>%1 beiseitelegen</translation>
+    </message>
+    <message>
+        <source>%1 is in use</source>
+        <translation>%1 ist in Gebrauch</translation>
     </message>
 </context>
 <context>

@@ -67,8 +67,8 @@ public slots:
     void endInGoodOrder();
 
 signals:
-    /// Everything must be made anew in the other language.
-    void languageChanged();
+    /// Everything must be made anew in the other language or units.
+    void wordsChanged();
 
 protected:
     void closeEvent(QCloseEvent* event) override;

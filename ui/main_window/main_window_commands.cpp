@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Commands of menus, keys and pages, and what they do.
 #include <QDate>
-#include <QFileDialog>
 #include <QFileInfo>
 
 #include "core/job/atomic_file.h"
@@ -21,6 +20,7 @@
 #include "ui/main_window/top_bar.h"
 #include "ui/main_window/tour.h"
 #include "ui/main_window/window_menus.h"
+#include "ui/models/file_choice.h"
 #include "ui/robot/robot_drive.h"
 #include "ui/robot/robot_page.h"
 #include "ui/style/theme.h"
@@ -47,11 +47,11 @@ void MainWindow::connectActions() {
     });
     on(Command::kImportTakes, [this] { SessionCommands::askForImport(this, studio_); });
     on(Command::kImportMotion, [this] {
-        if (const QString path = SessionCommands::askForMotion(this, studio_); !path.isEmpty())
+        if (const QString path = SessionCommands::askForMotion(this); !path.isEmpty())
             importMotion(path);
     });
     on(Command::kImportRecording, [this] {
-        if (const QStringList paths = SessionCommands::askForRecording(this, studio_); !paths.isEmpty())
+        if (const QStringList paths = SessionCommands::askForRecording(this); !paths.isEmpty())
             importRecording(paths);
     });
     on(Command::kShowFolder,
@@ -87,7 +87,7 @@ void MainWindow::connectActions() {
 void MainWindow::saveDiagnosis() {
     const QString name = "noctule-diagnosis-" + QDate::currentDate().toString(Qt::ISODate) + ".txt";
     const QString path =
-        QFileDialog::getSaveFileName(this, tr("Save diagnosis"), name, tr("Text files (*.txt)"));
+        FileChoice{"diagnoses", tr("Save diagnosis"), tr("Text files (*.txt)"), name}.toSave(this);
     if (path.isEmpty())
         return;
     const LogFile nowhere{QString()};
@@ -164,14 +164,14 @@ void MainWindow::importRecording(const QStringList& paths) {
 }
 
 void MainWindow::showPreferences() {
-    bool language_changed = false;
+    bool words_changed = false;
     {
         PreferencesDialog dialog(studio_, this);
-        connect(&dialog, &PreferencesDialog::languageChanged, this, [&] { language_changed = true; });
+        connect(&dialog, &PreferencesDialog::wordsChanged, this, [&] { words_changed = true; });
         dialog.exec();
     }
-    if (language_changed)
-        emit languageChanged();  // this window may be gone afterwards
+    if (words_changed)
+        emit wordsChanged();  // this window may be gone afterwards
 }
 
 void MainWindow::offerTour() {

@@ -4,7 +4,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QSpinBox>
 #include <QVBoxLayout>
@@ -14,8 +13,10 @@
 #include "ui/language/language.h"
 #include "ui/main_window/look.h"
 #include "ui/models/countdown_setting.h"
+#include "ui/models/file_choice.h"
 #include "ui/models/tones.h"
 #include "ui/models/voice.h"
+#include "ui/style/lengths.h"
 #include "ui/style/theme.h"
 #include "ui/views/record/record_bar.h"
 #include "ui/views/scaled_layout.h"
@@ -51,6 +52,7 @@ PreferencesDialog::PreferencesDialog(Studio& studio, QWidget* parent) : QDialog(
     auto* column = makeColumn(content, {0, 0, 8, 0}, 12);
     addLook(*column);
     addLanguage(*column);
+    addUnits(*column);
     addView3d(*column);
     addFolders(*column);
     addRecording(*column);
@@ -117,7 +119,26 @@ void PreferencesDialog::addLanguage(QVBoxLayout& column) {
             return;
         chooseLanguage(studio_.settings(), language_->currentData().toString());
         accept();
-        emit languageChanged();
+        emit wordsChanged();
+    });
+}
+
+void PreferencesDialog::addUnits(QVBoxLayout& column) {
+    FormRows* rows = addSection(column, tr("Units"));
+    units_ = new QComboBox;
+    units_->addItems({tr("Metric: metres, centimetres"), tr("Imperial: feet, inches")});  // as in Units
+    units_->setCurrentIndex(static_cast<int>(chosenUnits()));
+    rows->addRow(tr("Lengths"), units_);
+    rows->addHint(tr(
+        "For people and rooms. Errors of measurement stay in millimetres; plots, places of boards and files "
+        "stay metric. Any unit may be typed: 5'11\", 71 in, 180 cm, 1.8 m."));
+    connect(units_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
+        const auto units = static_cast<Units>(index);
+        if (units == chosenUnits())
+            return;
+        chooseUnits(units);
+        accept();
+        emit wordsChanged();
     });
 }
 
@@ -150,7 +171,9 @@ void PreferencesDialog::addFolders(QVBoxLayout& column) {
 
 void PreferencesDialog::chooseSessionsFolder() {
     const QString folder =
-        QFileDialog::getExistingDirectory(this, tr("Folder for new sessions"), studio_.sessionsFolder());
+        FileChoice{
+            .kind = "sessions_home", .title = tr("Folder for new sessions"), .at = studio_.sessionsFolder()}
+            .folder(this);
     if (folder.isEmpty())
         return;
     studio_.settings().setValue("folders/sessions", folder);

@@ -22,17 +22,19 @@ public:
     QComboBox& scheme() { return *scheme_; }
     QComboBox& textSize() { return *text_size_; }
     QComboBox& language() { return *language_; }
+    QComboBox& units() { return *units_; }
     QComboBox& countdown() { return *countdown_; }
     QComboBox& soundDevice() { return *device_; }
 
 signals:
-    /// The window must be made anew; the dialog closes with it.
-    void languageChanged();
+    /// Language or units: the window must be made anew; the dialog closes with it.
+    void wordsChanged();
 
 private:
     void fit();
     void addLook(QVBoxLayout& column);
     void addLanguage(QVBoxLayout& column);
+    void addUnits(QVBoxLayout& column);
     void addView3d(QVBoxLayout& column);
     void addFolders(QVBoxLayout& column);
     void addRecording(QVBoxLayout& column);
@@ -43,7 +45,7 @@ private:
     void chooseSessionsFolder();
 
     Studio& studio_;
-    QComboBox *scheme_, *text_size_, *language_, *countdown_, *device_;
+    QComboBox *scheme_, *text_size_, *language_, *units_, *countdown_, *device_;
     ElidedLabel* folder_;
 };
 

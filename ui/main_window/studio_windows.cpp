@@ -15,13 +15,13 @@ MainWindow& StudioWindows::show(Step step) {
     applyLanguage(studio_.settings());
     window_ = std::make_unique<MainWindow>(studio_);
     // Later: the window that asks is the one that goes.
-    connect(window_.get(), &MainWindow::languageChanged, this, &StudioWindows::renew, Qt::QueuedConnection);
+    connect(window_.get(), &MainWindow::wordsChanged, this, &StudioWindows::renew, Qt::QueuedConnection);
     window_->goTo(step);
     window_->show();
     return *window_;
 }
 
-/// The preferences stay open, in the other language.
+/// The preferences stay open, in the other language or units.
 void StudioWindows::renew() {
     const Step step = window_->step();
     window_.reset();

@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QLocale>
 #include <algorithm>
+#include <filesystem>
 
 #include "core/job/atomic_file.h"
 #include "core/processing/outside_files.h"
@@ -339,7 +340,12 @@ QString CalibrationShelf::exportFile(const QString& path) const {
 QString CalibrationShelf::nextName(const QString& task) const {
     const QString day = QDate::currentDate().toString(Qt::ISODate);
     QString name = QStringLiteral("%1-%2").arg(task, day);
-    for (int number = 2; QFile::exists(QDir(folder_).filePath(name + ".json")); ++number)
+    const auto is_taken = [this](const QString& file) {  // one that was put aside may come back
+        return QFile::exists(QDir(folder_).filePath(file)) ||
+               (session_.isOpen() &&
+                std::filesystem::exists(session_.session().asideFolder() / file.toStdString()));
+    };
+    for (int number = 2; is_taken(name + ".json"); ++number)
         name = QStringLiteral("%1-%2-%3").arg(task, day).arg(number);
     return name;
 }

@@ -2,6 +2,7 @@
 // What the operator changes in a session, each with its way back. Takes are remembered by name and performers
 // by place: what lies between a step and its undo has been undone before.
 #include <QDir>
+#include <QFileInfo>
 #include <algorithm>
 
 #include "core/session/shot_list.h"
@@ -73,6 +74,31 @@ std::function<Status(Session&)> erasePerformer(size_t index) {
         session.performers.erase(session.performers.begin() + static_cast<ptrdiff_t>(index));
         return Done{};
     };
+}
+
+/// With its report. Nothing is overwritten, and both are moved or none.
+Status moveCalibration(const QString& file, const std::filesystem::path& from,
+                       const std::filesystem::path& to) {
+    const QDir source(QString::fromStdString(from.string())), target(QString::fromStdString(to.string()));
+    const auto move = [&](const QString& name, const QDir& here, const QDir& there) {
+        return QFile::rename(here.filePath(name), there.filePath(name));
+    };
+    const auto failed = [&](const QString& name) {
+        return Error{ErrorKind::kDisk,
+                     SessionModel::tr("%1 was not moved to %2", "file, folder")
+                         .arg(name, QDir::toNativeSeparators(target.path()))
+                         .toStdString(),
+                     SessionModel::tr("See whether that folder can be written and has no file of this name")
+                         .toStdString()};
+    };
+    const QString report = QFileInfo(file).completeBaseName() + ".html";
+    if (!target.mkpath(".") || !move(file, source, target))
+        return failed(file);
+    if (source.exists(report) && !move(report, source, target)) {
+        move(file, target, source);
+        return failed(report);
+    }
+    return Done{};
 }
 
 bool isIndex(int index, size_t size) {
@@ -154,6 +180,32 @@ void SessionModel::setSuitCalibration(const QString& serial, const QString& file
     if (all != session_->suit_calibrations)
         push(what, setOf(&Session::suit_calibrations, all),
              setOf(&Session::suit_calibrations, session_->suit_calibrations));
+}
+
+QString SessionModel::whyNotAside(const QString& file) const {
+    if (!session_)
+        return {};
+    const auto names = [name = file.toStdString()](const auto& one) { return one.second == name; };
+    if (session_->calibration == file.toStdString() ||
+        std::ranges::any_of(session_->suit_calibrations, names))
+        return tr("New takes are made with it. Use another calibration for them first.");
+    return {};
+}
+
+void SessionModel::putCalibrationAside(const QString& file) {
+    if (!session_)
+        return;
+    push(
+        tr("Put %1 aside").arg(file.section('.', 0, 0)),
+        [this, file](Session& session) -> Status {
+            if (const QString why = whyNotAside(file); !why.isEmpty())
+                return Error{ErrorKind::kUsage, tr("%1 is in use").arg(file).toStdString(),
+                             why.chopped(1).toStdString()};
+            return moveCalibration(file, session.calibrationFolder(), session.asideFolder());
+        },
+        [file](Session& session) {
+            return moveCalibration(file, session.asideFolder(), session.calibrationFolder());
+        });
 }
 
 void SessionModel::setBody(const SessionBody& body) {

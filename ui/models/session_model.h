@@ -82,6 +82,10 @@ public:
     void setCalibration(const QString& file, const QString& what);
     /// Of one suit of several.
     void setSuitCalibration(const QString& serial, const QString& file, const QString& what);
+    /// In words why a file in calibration/ cannot be put aside, else empty.
+    QString whyNotAside(const QString& file) const;
+    /// With its report, into the session's folder of such.
+    void putCalibrationAside(const QString& file);
     /// What views, pictures and exports show.
     void setBody(const SessionBody& body);
     /// The shot list; what only the file knows of a shot stays with its name.

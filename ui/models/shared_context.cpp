@@ -7,6 +7,7 @@
 #include <QTemporaryFile>
 
 #include "core/mesh/import/glb_reader.h"
+#include "ui/models/file_choice.h"
 #include "ui/models/tones.h"
 
 namespace noctule::ui {
@@ -34,6 +35,10 @@ SharedContext::SharedContext(StudioParts parts, QObject* parent)
       parts_(std::move(parts)),
       session_(jobs_, [this] { return sessionsFolder(); }),
       shown_body_(jobs_, session_) {
+    connect(&session_, &SessionModel::opened, this, [this] {
+        FileChoice::setSession(session_.isOpen() ? QString::fromStdString(session_.session().folder.string())
+                                                 : QString());
+    });
     connect(&shown_body_, &ShownBody::failed, this,
             [this](const QString& what, const QString& remedy) { emit failed(what, remedy, About::kFile); });
     connect(&shown_body_, &ShownBody::changed, this, [this] {

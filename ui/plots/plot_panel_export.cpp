@@ -3,14 +3,13 @@
 #include <QApplication>
 #include <QBuffer>
 #include <QClipboard>
-#include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QPainter>
 
 #include "core/job/atomic_file.h"
 #include "core/review/series_csv.h"
 #include "ui/language/core_words.h"
+#include "ui/models/file_choice.h"
 #include "ui/plots/plot_panel.h"
 #include "ui/plots/time_ruler.h"
 #include "ui/style/theme.h"
@@ -18,12 +17,8 @@
 namespace noctule::ui {
 namespace {
 
-const QString kFolderKey = QStringLiteral("review/plot_folder");
-
-QString folderOf(ReviewContext& review) {
-    if (review.shared().session().isOpen())
-        return QString::fromStdString(review.shared().session().session().exportsFolder().string());
-    return review.shared().settings().value(kFolderKey, QDir::homePath()).toString();
+QString exportsOf(const SessionModel& session) {
+    return session.isOpen() ? QString::fromStdString(session.session().exportsFolder().string()) : QString();
 }
 
 /// The file dialog has asked before it replaces a file.
@@ -34,7 +29,6 @@ void write(ReviewContext& review, const QString& path, std::string_view content)
                                     About::kFile);
         return;
     }
-    review.shared().settings().setValue(kFolderKey, QFileInfo(path).absolutePath());
     review.shared().sayOfFile(QCoreApplication::translate("PlotPanel", "%1 is written").arg(path));
 }
 
@@ -71,7 +65,7 @@ std::string PlotPanel::csv() const {
 
 QString PlotPanel::suggestedName(const QString& suffix) const {
     const QString take = QFileInfo(review_.take().path()).completeBaseName();
-    return QDir(folderOf(review_)).filePath(tr("%1_plots", "file name").arg(take) + suffix);
+    return tr("%1_plots", "file name").arg(take) + suffix;
 }
 
 void PlotPanel::copyPicture() {
@@ -81,8 +75,9 @@ void PlotPanel::copyPicture() {
 
 void PlotPanel::savePicture() {
     const QString path =
-        QFileDialog::getSaveFileName(this, tr("Save the plots as a picture"),
-                                     suggestedName(QStringLiteral(".png")), tr("Picture (*.png)"));
+        FileChoice{"plots", tr("Save the plots as a picture"), tr("Picture (*.png)"),
+                   suggestedName(QStringLiteral(".png")), exportsOf(review_.shared().session())}
+            .toSave(this);
     if (path.isEmpty())
         return;
     QByteArray bytes;
@@ -99,8 +94,9 @@ void PlotPanel::copyCsv() {
 
 void PlotPanel::saveCsv() {
     const QString path =
-        QFileDialog::getSaveFileName(this, tr("Save the values that are shown"),
-                                     suggestedName(QStringLiteral(".csv")), tr("Table (*.csv)"));
+        FileChoice{"plots", tr("Save the values that are shown"), tr("Table (*.csv)"),
+                   suggestedName(QStringLiteral(".csv")), exportsOf(review_.shared().session())}
+            .toSave(this);
     if (!path.isEmpty())
         write(review_, path, csv());
 }

@@ -3,12 +3,12 @@
 
 #include <QBoxLayout>
 #include <QComboBox>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QLineEdit>
 
 #include "devices/robot/robot_interface.h"
 #include "ui/language/core_words.h"
+#include "ui/models/file_choice.h"
 #include "ui/robot/robot_words.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/form_rows.h"
@@ -79,7 +79,8 @@ QWidget* AddRobotDialog::fileField(QLineEdit* field, const QString& what, const 
     both->setFocusProxy(field);
     field->setAccessibleName(what);
     connect(browse, &QToolButton::clicked, this, [this, field, what, filter] {
-        const QString path = QFileDialog::getOpenFileName(this, what, field->text(), filter);
+        const QString path =
+            FileChoice{.kind = "robots", .title = what, .filter = filter, .at = field->text()}.toOpen(this);
         if (!path.isEmpty())
             field->setText(path);
     });

@@ -2,12 +2,13 @@
 #include "ui/robot/robot_center.h"
 
 #include <QBoxLayout>
-#include <QFileDialog>
+#include <QFileInfo>
 #include <QGridLayout>
 #include <QStackedWidget>
 
 #include "core/job/atomic_file.h"
 #include "ui/language/core_words.h"
+#include "ui/models/file_choice.h"
 #include "ui/robot/hand_paths.h"
 #include "ui/robot/key_card.h"
 #include "ui/robot/robot_view.h"
@@ -175,7 +176,7 @@ void RobotCenter::play() {
 
 void RobotCenter::exportCommands() {
     const QString path =
-        QFileDialog::getSaveFileName(this, tr("Export commands"), "commands.csv", tr("Tables (*.csv)"));
+        FileChoice{"commands", tr("Export commands"), tr("Tables (*.csv)"), "commands.csv"}.toSave(this);
     if (path.isEmpty())
         return;
     const QByteArray table = drive_.table();

@@ -9,6 +9,7 @@
 #include <QStandardItemModel>
 
 #include "ui/robot/robot_words.h"
+#include "ui/style/lengths.h"
 #include "ui/style/words.h"
 #include "ui/views/number_rows.h"
 #include "ui/views/scaled_layout.h"
@@ -245,7 +246,7 @@ void RobotSidebar::showLeader() {
     for (size_t i = 0; parts && i < parts->driven.arms.size() && i < 1; ++i)
         lengths = tr("The robot’s arm is %1 long. The position of your hand is measured from your chest, so "
                      "walking does not move the arm.")
-                      .arg(metresText(parts->driven.arms[i].length_m));
+                      .arg(lengthText(parts->driven.arms[i].length_m));
     lengths_->setInk(lack.isEmpty() ? Ink::kLabel : Ink::kWarn);
     lengths_->setText(lack.isEmpty() ? lengths : lack);
 }

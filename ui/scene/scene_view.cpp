@@ -2,13 +2,13 @@
 #include "ui/scene/scene_view.h"
 
 #include <QEvent>
-#include <QFileDialog>
 #include <QLayout>
 #include <QPainter>
 #include <QResizeEvent>
 #include <QStandardPaths>
 #include <utility>
 
+#include "ui/models/file_choice.h"
 #include "ui/scene/scene_accessible.h"
 #include "ui/scene/scene_parts.h"
 #include "ui/scene/scene_words.h"
@@ -386,9 +386,10 @@ QString SceneView::descriptionInWords() const {
 }
 
 void SceneView::exportPicture() {
-    const QString folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
-    const QString path = QFileDialog::getSaveFileName(
-        this, tr("Save as picture"), folder + QStringLiteral("/noctule.png"), tr("PNG picture (*.png)"));
+    const QString path =
+        FileChoice{"pictures", tr("Save as picture"), tr("PNG picture (*.png)"), "noctule.png",
+                   QStandardPaths::writableLocation(QStandardPaths::PicturesLocation)}
+            .toSave(this);
     if (path.isEmpty())
         return;
     if (picture(2).save(path, "PNG"))

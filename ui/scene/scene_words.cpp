@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "ui/models/part_names.h"
+#include "ui/style/lengths.h"
 #include "ui/style/performer_disc.h"
 #include "ui/style/words.h"
 
@@ -149,8 +150,13 @@ LostWords lostInRest(const QString& performer, double at_s) {
 }
 
 QString distanceInWords(const ComposedScene::Distance& distance) {
+    if (chosenUnits() == Units::kImperial) {
+        const double sigma_m = distance.sigma_m.value_or(0);
+        const QString words = lengthText(distance.distance_m);
+        return sigma_m < kMetresPerInch / 20 ? words : words + QStringLiteral(" ±") + lengthText(sigma_m);
+    }
     const bool near = distance.distance_m < 1;
-    const QString words = near ? millimetresText(distance.distance_m, 0) : metresText(distance.distance_m);
+    const QString words = near ? millimetresText(distance.distance_m, 0) : lengthText(distance.distance_m);
     const double sigma = distance.sigma_m.value_or(0) * (near ? 1000 : 1), least = near ? 0.5 : 0.005;
     return sigma < least ? words : words + QStringLiteral(" ±") + numberText(sigma, near ? 0 : 2);
 }

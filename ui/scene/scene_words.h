@@ -35,7 +35,8 @@ struct LostWords {
 };
 LostWords lostInRest(const QString& performer, double at_s);
 
-/// "46 mm ±5"; from a metre on "1.27 m ±0.01". The error is one sigma, left out where it rounds to zero.
+/// "46 mm ±5"; from a metre on "1.27 m ±0.01"; or "1.8″ ±0.2″". The error is one sigma, left out where it
+/// rounds to zero.
 QString distanceInWords(const ComposedScene::Distance& distance);
 /// "right wrist of A to left wrist of B"
 QString pairOfDistance(const ComposedScene::Distance& distance);

@@ -92,10 +92,6 @@ QString millimetresText(double metres, int decimals) {
     return withUnit(metres * 1e3, decimals, "mm");
 }
 
-QString metresText(double metres, int decimals) {
-    return withUnit(metres, decimals, "m");
-}
-
 QString percentText(double fraction, int decimals) {
     return withUnit(fraction * 100, decimals, "%");
 }

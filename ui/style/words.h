@@ -24,10 +24,8 @@ QString secondsText(double seconds, int decimals = 1);
 QString millisecondsText(double seconds);
 /// Radians in, "24.1°" out.
 QString degreesText(double radians, int decimals = 1);
-/// Metres in, "1.8 mm" out.
+/// Metres in, "1.8 mm" out: errors and places of parts. Lengths of people and rooms: lengths.h.
 QString millimetresText(double metres, int decimals = 1);
-/// Metres in, "1.78 m" out.
-QString metresText(double metres, int decimals = 2);
 /// 0.91 -> "91 %".
 QString percentText(double fraction, int decimals = 0);
 /// 3836 -> "3 836".

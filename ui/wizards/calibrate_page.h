@@ -19,6 +19,7 @@ class Button;
 class RoomPage;
 class SuitSwitch;
 class TaskCard;
+class ToolButton;
 class VerdictHeader;
 class WizardPage;
 
@@ -58,6 +59,8 @@ public:
     void importFile(const QString& path);
     /// Of the calibrations in the list, newest first; null for the one in force.
     const std::vector<Button*>& useButtons() const { return use_; }
+    /// In the same order: each puts its calibration aside.
+    const std::vector<ToolButton*>& asideButtons() const { return aside_; }
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -76,6 +79,7 @@ private:
     void refresh();
     void showHistory();
     void showOverview();
+    QWidget* makeAsideButton(const QString& file);
     QWidget* makeFiles();
     void chooseImport();
     bool mayUseAnother(const QString& name, const QString& other);
@@ -98,6 +102,7 @@ private:
     QVBoxLayout* history_ = nullptr;
     Button *import_ = nullptr, *export_ = nullptr;
     std::vector<Button*> use_;
+    std::vector<ToolButton*> aside_;
 };
 
 }  // namespace noctule::ui

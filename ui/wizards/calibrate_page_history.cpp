@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The left dock of step Calibrate: the calibrations of the session, and files that come and go.
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "ui/models/file_choice.h"
 #include "ui/style/keys.h"
 #include "ui/style/words.h"
 #include "ui/views/newer_values.h"
@@ -16,6 +16,7 @@
 #include "ui/widgets/question.h"
 #include "ui/widgets/scroll_area.h"
 #include "ui/widgets/section_header.h"
+#include "ui/widgets/tool_button.h"
 #include "ui/wizards/calibrate_page.h"
 #include "ui/wizards/compare_dialog.h"
 
@@ -50,7 +51,7 @@ QWidget* CalibratePage::makeFiles() {
 
 void CalibratePage::chooseImport() {
     const QString path =
-        QFileDialog::getOpenFileName(this, tr("Import a calibration"), {}, tr("Calibrations (*.json)"));
+        FileChoice{"calibrations", tr("Import a calibration"), tr("Calibrations (*.json)")}.toOpen(this);
     if (!path.isEmpty())
         importFile(path);
 }
@@ -80,9 +81,10 @@ bool CalibratePage::mayUseAnother(const QString& name, const QString& other) {
 
 void CalibratePage::chooseExport() {
     const QString name = studio_.calibrations().fileInForce();
-    const QString path = QFileDialog::getSaveFileName(
-        this, tr("Export the calibration in use"), name.isEmpty() ? QStringLiteral("calibration.json") : name,
-        tr("Calibrations (*.json)"));
+    const QString path =
+        FileChoice{"calibrations", tr("Export the calibration in use"), tr("Calibrations (*.json)"),
+                   name.isEmpty() ? QStringLiteral("calibration.json") : name}
+            .toSave(this);
     if (path.isEmpty())
         return;
     if (const QString why = studio_.calibrations().exportFile(path); !why.isEmpty())
@@ -91,9 +93,24 @@ void CalibratePage::chooseExport() {
         studio_.sayOfFile(tr("%1 is written.").arg(QFileInfo(path).fileName()));
 }
 
+QWidget* CalibratePage::makeAsideButton(const QString& file) {
+    auto* aside = new ToolButton("close", tr("Put %1 aside").arg(file.section('.', 0, 0)));
+    aside->setDisabledBecause(studio_.session().whyNotAside(file));
+    connect(aside, &QToolButton::clicked, this, [this, file] {
+        studio_.session().putCalibrationAside(file);
+        if (!QFileInfo::exists(QString::fromStdString(
+                (studio_.session().session().calibrationFolder() / file.toStdString()).string())))
+            studio_.sayOfFile(tr("%1 is put aside; undo with %2.", "file, key")
+                                  .arg(file, keysText(Keys::keyOf("window/undo", QKeySequence("Ctrl+Z")))));
+    });
+    aside_.push_back(aside);
+    return aside;
+}
+
 void CalibratePage::showHistory() {
     clearWidgetsLater(*history_);
     use_.clear();
+    aside_.clear();
     const CalibrationShelf& shelf = studio_.calibrations();
     for (const ShelvedCalibration& one : shelf.all()) {
         if (shelf.isOfAnotherSuit(one))
@@ -104,7 +121,9 @@ void CalibratePage::showHistory() {
         auto* column = makeColumn(card, {12, 8, 12, 8}, 2);
         auto* name = new ElidedLabel(one.file.section('.', 0, 0));
         name->setElideMode(Qt::ElideMiddle);
-        column->addWidget(name);
+        auto* head = addRow(column);
+        head->addWidget(name, 1);
+        head->addWidget(makeAsideButton(one.file));
         column->addWidget(new Label(in_force ? tr("%1, in use").arg(dateText(one.made().toLocalTime()))
                                              : dateText(one.made().toLocalTime()),
                                     TextRole::kSecondary, Ink::kHint));

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "ui/language/core_words.h"
+#include "ui/style/lengths.h"
 #include "ui/style/words.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/bar_meter.h"
@@ -74,7 +75,7 @@ Card* anchorCard(const RoomSurvey& survey, size_t index, SurveyStage stage, cons
     head->addWidget(new Label(state.words, TextRole::kSecondary, ink, true));
     auto* numbers = addRow(column, 8);
     if (anchor.placed) {
-        numbers->addWidget(new Label(RoomPage::tr("height %1").arg(metresText(anchor.place_m.y())),
+        numbers->addWidget(new Label(RoomPage::tr("height %1").arg(lengthText(anchor.place_m.y())),
                                      TextRole::kSecondary, Ink::kLabel));
         numbers->addWidget(new Label(QStringLiteral("±%1").arg(millimetresText(anchor.sigma_m)),
                                      TextRole::kSecondary, state.tone == Tone::kOk ? Ink::kLabel : ink));

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/math/linear_solvers.h"
+#include "ui/style/lengths.h"
 #include "ui/style/paint.h"
 #include "ui/style/performer_disc.h"
 #include "ui/style/theme.h"
@@ -24,6 +25,7 @@ constexpr double kAround_m = 0.5, kLeast_m = 2, kPerson_m = 1.75;
 constexpr double kNearlyGood_m = 1.5 * room_survey::kGoodAnchor_m;
 constexpr double kFaded = 0.4;  ///< opacity of an anchor that is left out
 constexpr int kPlanHead = 36, kPlanFoot = 32, kAnchor = 20;
+constexpr int kGrid_ft = 3;  ///< a line each, else each metre
 
 }  // namespace
 
@@ -74,8 +76,8 @@ void RoomDrawing::show(const RoomSurvey* survey, int performer) {
         if (const SurveyedAnchor& anchor = survey_->anchors[i]; anchor.placed)
             places << (anchor.left_out ? tr("anchor %1, left out, at %2, %3, height %4")
                                        : tr("anchor %1 at %2, %3, height %4"))
-                          .arg(QString::number(i + 1), metresText(anchor.place_m.x()),
-                               metresText(anchor.place_m.z()), metresText(anchor.place_m.y()));
+                          .arg(QString::number(i + 1), lengthText(anchor.place_m.x()),
+                               lengthText(anchor.place_m.z()), lengthText(anchor.place_m.y()));
     setAccessibleName(places.isEmpty() ? name : QStringLiteral("%1: %2").arg(name, places.join("; ")));
     update();
 }
@@ -136,17 +138,25 @@ void RoomDrawing::paintGrid(QPainter& painter, const Scale& scale, const QRectF&
         painter.drawLine(from, to);
         painter.setPen(theme.tokens().t3);
     };
-    for (int x = static_cast<int>(std::ceil(extent_m.left())); x <= extent_m.right(); ++x) {
-        const double here = at(scale, {double(x), 0}).x();
+    const bool in_feet = chosenUnits() == Units::kImperial;
+    const int step = in_feet ? kGrid_ft : 1;
+    const double step_m = in_feet ? step * kMetresPerFoot : 1;
+    for (int x = static_cast<int>(std::ceil(extent_m.left() / step_m)); x * step_m <= extent_m.right(); ++x) {
+        const double here = at(scale, {x * step_m, 0}).x();
+        const QString number = numberText(x * step, 0);
+        const bool is_last = (x + 1) * step_m > extent_m.right();
         line({here, field.top()}, {here, field.bottom()});
         painter.drawText(QRectF(here - 40, field.bottom() + theme.px(2), 80, theme.px(16)), Qt::AlignCenter,
-                         x + 1 > extent_m.right() ? tr("%1 m").arg(numberText(x, 0)) : numberText(x, 0));
+                         !is_last  ? number
+                         : in_feet ? tr("%1 ft").arg(number)
+                                   : tr("%1 m").arg(number));
     }
-    for (int y = static_cast<int>(std::ceil(extent_m.top())); y <= extent_m.bottom(); ++y) {
-        const double here = at(scale, {0, double(y)}).y();
+    for (int y = static_cast<int>(std::ceil(extent_m.top() / step_m)); y * step_m <= extent_m.bottom(); ++y) {
+        const double here = at(scale, {0, y * step_m}).y();
         line({field.left(), here}, {field.right(), here});
         painter.drawText(QRectF(field.left() - theme.px(26), here - 10, theme.px(22), 20),
-                         Qt::AlignRight | Qt::AlignVCenter, numberText(from_ == From::kAbove ? y : -y, 0));
+                         Qt::AlignRight | Qt::AlignVCenter,
+                         numberText(step * (from_ == From::kAbove ? y : -y), 0));
     }
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(theme.tokens().edge, theme.px(1)));
@@ -222,7 +232,7 @@ void RoomDrawing::paintAnchor(QPainter& painter, const Scale& scale, size_t inde
     const QString words = anchor.left_out ? stateOf(anchor).words
                           : from_ == From::kAbove
                               ? QStringLiteral("±%1").arg(millimetresText(anchor.sigma_m, 0))
-                              : metresText(anchor.place_m.y());
+                              : lengthText(anchor.place_m.y());
     painter.setFont(theme.font(TextRole::kCaption));
     painter.setPen(tone == Tone::kOk ? theme.tokens().t2 : color);
     // Anchors one behind the other have their words one over the other.

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/wizards/room_page.h"
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
 
+#include "ui/models/file_choice.h"
 #include "ui/style/keys.h"
 #include "ui/style/words.h"
 #include "ui/views/job_progress.h"
@@ -370,8 +370,8 @@ void RoomPage::showResult() {
 }
 
 void RoomPage::chooseFile() {
-    const QString path = QFileDialog::getSaveFileName(this, tr("Save the room"), QStringLiteral("room.json"),
-                                                      tr("Rooms (*.json)"));
+    const QString path =
+        FileChoice{"rooms", tr("Save the room"), tr("Rooms (*.json)"), "room.json"}.toSave(this);
     if (path.isEmpty())
         return;
     if (const QString why = run_->save(path); !why.isEmpty())

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/wizards/wizard_intro.h"
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QVBoxLayout>
 
 #include "core/suit/calibration_lack.h"
 #include "ui/models/capture_context.h"
+#include "ui/models/file_choice.h"
 #include "ui/style/words.h"
 #include "ui/views/body_figure.h"
 #include "ui/views/scaled_layout.h"
@@ -170,15 +170,19 @@ QString WizardIntro::prerequisite() const {
 }
 
 void WizardIntro::chooseDistances() {
-    const QString path = QFileDialog::getOpenFileName(this, tr("Choose the distances of the jig"), {},
-                                                      tr("Tables (*.csv *.txt);;All files (*)"));
+    const QString path = FileChoice{"distances", tr("Choose the distances of the jig"),
+                                    tr("Tables (*.csv *.txt);;All files (*)")}
+                             .toOpen(this);
     if (run_ && !path.isEmpty())
         useDistances(path);
 }
 
 void WizardIntro::chooseTakes() {
-    const QStringList paths = QFileDialog::getOpenFileNames(
-        this, tr("Choose the takes"), capture_.shared().takesFolder(), tr("Takes (*.noctule)"));
+    const QStringList paths = FileChoice{.kind = "calibration_takes",
+                                         .title = tr("Choose the takes"),
+                                         .filter = tr("Takes (*.noctule)"),
+                                         .usual = capture_.shared().takesFolder()}
+                                  .severalToOpen(this);
     if (!run_ || paths.isEmpty())
         return;
     no_distances_.clear();

@@ -13,6 +13,7 @@
 #include "tests/ui/main_window/studio_fixture.h"
 #include "ui/views/connect/suit_switch.h"
 #include "ui/widgets/button.h"
+#include "ui/widgets/tool_button.h"
 #include "ui/wizards/calibrate_page.h"
 #include "ui/wizards/unfinished_calibration.h"
 #include "ui/wizards/wizard_page.h"
@@ -112,6 +113,21 @@ TEST_F(CalibrateTwoSuits, NobodyIsOfferedWhatWasCalibratedOfTheOther) {
     ASSERT_EQ(studio_->calibrations().save(found, "gyroscopes"), "");
     EXPECT_EQ(studio_->calibrations().all().size(), 2u) << "both lie in one folder";
     EXPECT_EQ(page().useButtons().size(), 1u) << "not Bob's";
+}
+
+TEST_F(CalibrateTwoSuits, WhatIsNotInUseIsPutAsideFromTheList) {
+    CalibrationResult found;
+    found.calibration = nominalCalibration(studio_->suit().suit());
+    found.calibration.created_utc = "2026-03-01T10:00:00Z";
+    ASSERT_EQ(studio_->calibrations().save(found, "gyroscopes"), "");
+    found.calibration.created_utc = "2026-03-01T11:00:00Z";
+    ASSERT_EQ(studio_->calibrations().save(found, "gyroscopes"), "");
+    ASSERT_EQ(page().asideButtons().size(), 2u);
+    EXPECT_FALSE(page().asideButtons()[0]->isEnabled()) << "the newest is in use";
+    page().asideButtons()[1]->click();
+    EXPECT_EQ(page().asideButtons().size(), 1u);
+    studio_->session().undoStack().undo();
+    EXPECT_EQ(page().asideButtons().size(), 2u);
 }
 
 TEST_F(CalibrateTwoSuits, TheSessionsOwnCalibrationIsInUseForTheSuitThatHasIt) {

@@ -6,6 +6,7 @@
 #include "ui/main_window/preferences_dialog.h"
 #include "ui/models/countdown_setting.h"
 #include "ui/models/tones.h"
+#include "ui/style/lengths.h"
 #include "ui/views/record/record_bar.h"
 #include "ui/widgets/button.h"
 
@@ -35,6 +36,22 @@ TEST_F(PreferencesTest, TheCountdownIsThatOfRecord) {
     }
     restart();
     EXPECT_EQ(PreferencesDialog(*studio_).countdown().currentData(), 5) << "kept";
+}
+
+TEST_F(PreferencesTest, UnitsAreKeptAndTheWindowIsMadeAnewWithThem) {
+    bool made_anew = false;
+    {
+        PreferencesDialog dialog(*studio_);
+        QObject::connect(&dialog, &PreferencesDialog::wordsChanged, [&] { made_anew = true; });
+        EXPECT_EQ(dialog.units().currentIndex(), 0);
+        dialog.units().setCurrentIndex(1);
+        emit dialog.units().activated(1);
+    }
+    EXPECT_TRUE(made_anew);
+    EXPECT_EQ(chosenUnits(), Units::kImperial);
+    restart();
+    EXPECT_EQ(PreferencesDialog(*studio_).units().currentIndex(), 1);
+    chooseUnits(Units::kMetric);
 }
 
 TEST_F(PreferencesTest, TonesArePlayedOnTheChosenDeviceOrElseByTheDesktop) {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QDir>
 #include <QFile>
 #include <QSettings>
 #include <QSignalSpy>
@@ -244,6 +245,50 @@ TEST_F(SuitMemoryTest, WhatIsSavedOrExportedNamesItsBox) {
     found.calibration = calibratedOn("2026-03-01T10:00:00Z");
     ASSERT_EQ(studio_->calibrations().save(found, "gyroscopes"), "");
     EXPECT_EQ(studio_->calibrations().inForce()->box_serial, "NB-000777");
+}
+
+TEST_F(SuitMemoryTest, ACalibrationIsPutAsideAndComesBackWithItsReport) {
+    openSession("aside");
+    CalibrationShelf& shelf = studio_->calibrations();
+    CalibrationResult found;
+    found.calibration = calibratedOn("2026-03-01T09:00:00Z");
+    ASSERT_EQ(shelf.save(found, "gyroscopes"), "");
+    ASSERT_EQ(shelf.save(found, "sources"), "");
+    const QString in_use = shelf.fileInForce();
+    QString other;
+    for (const ShelvedCalibration& one : shelf.all())
+        if (one.file != in_use)
+            other = one.file;
+    SessionModel& session = studio_->session();
+    const QDir folder(QString::fromStdString(session.session().calibrationFolder().string()));
+    const QDir aside(folder.filePath("put aside"));
+    const QString report = QString(other).replace(".json", ".html");
+    const auto expectAside = [&](bool is_aside) {
+        EXPECT_EQ(shelf.all().size(), is_aside ? 1u : 2u);
+        for (const QString& name : {other, report}) {
+            EXPECT_EQ(folder.exists(name), !is_aside) << name.toStdString();
+            EXPECT_EQ(aside.exists(name), is_aside) << name.toStdString();
+        }
+    };
+    session.open(QString::fromStdString(session.session().folder.string()));  // it is of an earlier opening
+    ASSERT_TRUE(waitFor([&] { return session.isOpen() && session.undoStack().count() == 0; }));
+    EXPECT_EQ(session.whyNotAside(other), "");
+    session.putCalibrationAside(other);
+    expectAside(true);
+    EXPECT_NE(shelf.nextName("gyroscopes") + ".json", other) << "its name stays its own";
+    session.undoStack().undo();
+    expectAside(false);
+    session.undoStack().redo();
+    expectAside(true);
+
+    QSignalSpy failed(&session, &SessionModel::failed);
+    const int steps = session.undoStack().count();
+    EXPECT_FALSE(session.whyNotAside(in_use).isEmpty());
+    session.putCalibrationAside(in_use);
+    ASSERT_EQ(failed.count(), 1);
+    EXPECT_TRUE(failed[0][0].toString().contains("Use another calibration")) << "what to do instead";
+    EXPECT_EQ(session.undoStack().count(), steps);
+    EXPECT_TRUE(folder.exists(in_use));
 }
 
 }  // namespace

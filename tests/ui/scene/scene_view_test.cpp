@@ -3,6 +3,7 @@
 
 #include <QAccessible>
 #include <QPainter>
+#include <QScopeGuard>
 #include <QSignalSpy>
 
 #include "core/render/body_scene.h"
@@ -11,6 +12,7 @@
 #include "ui/scene/scene_overlay.h"
 #include "ui/scene/scene_tools.h"
 #include "ui/scene/scene_words.h"
+#include "ui/style/lengths.h"
 #include "ui/widgets/empty_state.h"
 
 namespace noctule::ui {
@@ -357,6 +359,12 @@ TEST(SceneWordsTest, AnErrorThatRoundsToZeroIsLeftOut) {
     distance.distance_m = 0.046;
     distance.sigma_m = 0.0004;
     EXPECT_FALSE(distanceInWords(distance).contains(QString::fromUtf8("±")));
+    chooseUnits(Units::kImperial);
+    const auto back = qScopeGuard([] { chooseUnits(Units::kMetric); });
+    EXPECT_EQ(distanceInWords(distance), QString::fromUtf8("1.8″"));
+    distance.distance_m = 1.5;
+    distance.sigma_m = 0.01;
+    EXPECT_EQ(distanceInWords(distance), QString::fromUtf8("4′11.1″ ±0.4″"));
 }
 
 class SceneFigure : public SceneViewTest {

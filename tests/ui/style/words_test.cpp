@@ -51,7 +51,6 @@ TEST_F(WordsTest, units) {
     expectText(degreesText(24.1 * kPi / 180), "24.1°");
     expectText(degreesText(-kPi / 2, 0), "−90°");
     expectText(millimetresText(0.0018), "1.8\u00A0mm");
-    expectText(metresText(1.78), "1.78\u00A0m");
     expectText(percentText(0.914), "91\u00A0%");
     expectText(secondsText(27.4), "27.4\u00A0s");
     expectText(millimetresText(kNone), "–");

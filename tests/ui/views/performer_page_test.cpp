@@ -10,6 +10,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QScopeGuard>
 #include <QTableView>
 #include <QTest>
 #include <QUndoStack>
@@ -19,7 +20,9 @@
 #include "core/suit/default_suit.h"
 #include "tests/support/files.h"
 #include "ui/scene/scene_view.h"
+#include "ui/style/lengths.h"
 #include "ui/style/theme.h"
+#include "ui/views/length_box.h"
 #include "ui/views/performer/length_field.h"
 #include "ui/views/performer/performer_editor.h"
 #include "ui/views/performer/performer_measures_panel.h"
@@ -35,16 +38,25 @@ protected:
         Theme::install(*qApp);
         studio_ = std::make_unique<Studio>(StudioParts{"test", [] { return std::string(); }, {}});
         ASSERT_TRUE(studio_->session().create(QString::fromStdString(home_.file("s")), "Test"));
+        makePage();
+    }
+    void makePage() {
+        removePage();
         page_ = std::make_unique<PerformerPage>(*studio_);
         page_->leftDock()->resize(248, 800);
         page_->rightDock()->resize(295, 800);
         page_->leftDock()->show();
         page_->rightDock()->show();
     }
-    void TearDown() override {
+    void removePage() {
+        if (!page_)
+            return;
         delete page_->leftDock();
         delete page_->rightDock();
         page_.reset();
+    }
+    void TearDown() override {
+        removePage();
         studio_.reset();
     }
 
@@ -65,8 +77,8 @@ protected:
 
 TEST_F(PerformerPageTest, HeightDrivesTheActorAndTheSuitLive) {
     const nlohmann::json before = toJson(studio_->session().session());
-    QDoubleSpinBox& height = page_->measures().height();
-    EXPECT_NEAR(height.value(), 175, 1e-9);
+    LengthBox& height = page_->measures().height();
+    EXPECT_EQ(height.value(), 1.75);
     for (int i = 0; i < 10; ++i)
         QTest::keyClick(&height, Qt::Key_Up);
     EXPECT_NEAR(performer().measures.height_m, 1.85, 1e-9);
@@ -79,7 +91,7 @@ TEST_F(PerformerPageTest, HeightDrivesTheActorAndTheSuitLive) {
     EXPECT_EQ(undo().count(), 1);
     undo().undo();
     EXPECT_EQ(toJson(studio_->session().session()), before);
-    EXPECT_NEAR(height.value(), 175, 1e-9);
+    EXPECT_EQ(height.value(), 1.75);
 }
 
 TEST_F(PerformerPageTest, EmptyLengthFollowsTheHeight) {
@@ -96,6 +108,45 @@ TEST_F(PerformerPageTest, EmptyLengthFollowsTheHeight) {
     forearm.edit()->clear();
     QTest::keyClick(forearm.edit(), Qt::Key_Return);
     EXPECT_EQ(performer().measures.forearm_m, 0);
+}
+
+TEST_F(PerformerPageTest, LengthsAreShownAndTypedInFeetAndInchesWhenChosen) {
+    chooseUnits(Units::kImperial);
+    const auto back = qScopeGuard([] { chooseUnits(Units::kMetric); });
+    makePage();
+    LengthBox& height = page_->measures().height();
+    EXPECT_EQ(height.text(), QString::fromUtf8("5′8.9″"));
+    height.selectAll();
+    QTest::keyClicks(&height, "5'11\"");
+    QTest::keyClick(&height, Qt::Key_Return);
+    EXPECT_EQ(height.text(), QString::fromUtf8("5′11″"));
+    EXPECT_EQ(performer().measures.height_m, 1.8034);
+    height.selectAll();
+    QTest::keyClicks(&height, "180.12 cm");
+    QTest::keyClick(&height, Qt::Key_Return);
+    EXPECT_EQ(height.text(), QString::fromUtf8("5′10.9″"));
+    EXPECT_EQ(performer().measures.height_m, 1.8012);
+    LengthField& forearm = page_->measures().field(&BodyMeasures::forearm_m);
+    forearm.edit()->setText("10.2");
+    QTest::keyClick(forearm.edit(), Qt::Key_Return);
+    EXPECT_NEAR(performer().measures.forearm_m, 0.25908, 1e-9);
+    EXPECT_EQ(forearm.edit()->text(), "10.2");
+    QTest::keyClick(forearm.edit(), Qt::Key_Up);
+    EXPECT_NEAR(performer().measures.forearm_m, 10.5 * kMetresPerInch, 1e-9);
+}
+
+TEST_F(PerformerPageTest, AHeightThatNobodyTypedKeepsEveryBit) {
+    constexpr double kMeasured_m = 1.7812345678901234;
+    for (const Units units : {Units::kImperial, Units::kMetric}) {
+        chooseUnits(units);
+        const auto back = qScopeGuard([] { chooseUnits(Units::kMetric); });
+        makePage();
+        editor().setHeight(kMeasured_m);
+        LengthBox& height = page_->measures().height();
+        height.setFocus();
+        QTest::keyClick(&height, Qt::Key_Return);
+        EXPECT_EQ(performer().measures.height_m, kMeasured_m) << height.text().toStdString();
+    }
 }
 
 TEST_F(PerformerPageTest, NonsenseInAFieldChangesNothing) {

@@ -6,7 +6,7 @@
 
 #include "core/session/placement.h"
 #include "ui/models/part_names.h"
-#include "ui/style/words.h"
+#include "ui/style/lengths.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/divider.h"
@@ -102,7 +102,7 @@ void AssignPanel::showPerformers() {
     if (const Performer* performer = model.session().findPerformer(current))
         measures_->setText(
             tr("%1, suit “%2”", "height, name")
-                .arg(metresText(performer->measures.height_m), QString::fromStdString(performer->suit.name)));
+                .arg(lengthText(performer->measures.height_m), QString::fromStdString(performer->suit.name)));
 }
 
 /// Of the suit that is looked at; of none the session's current performer.

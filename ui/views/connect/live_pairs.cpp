@@ -7,6 +7,7 @@
 #include "ui/models/part_names.h"
 #include "ui/plots/confidence_legend.h"
 #include "ui/plots/pair_columns.h"
+#include "ui/style/lengths.h"
 #include "ui/style/theme.h"
 #include "ui/style/words.h"
 #include "ui/views/scaled_layout.h"
@@ -84,7 +85,7 @@ PairCell LivePairs::cellOf(const Readiness& readiness, int source, int board) co
         return {PairCell::State::kSilent, 0, tr("%1: not heard", "a pair").arg(name)};
     return {PairCell::State::kHeard, pair.confidence,
             tr("%1: confidence %2, distance %3", "a pair")
-                .arg(name, numberText(pair.confidence, 2), metresText(pair.distance_m))};
+                .arg(name, numberText(pair.confidence, 2), lengthText(pair.distance_m))};
 }
 
 void LivePairs::show(const Readiness& readiness) {

@@ -5,11 +5,12 @@
 #include <QComboBox>
 #include <QDir>
 #include <QDoubleSpinBox>
-#include <QFileDialog>
+#include <QFileInfo>
 #include <QLineEdit>
 #include <QScopedValueRollback>
 #include <algorithm>
 
+#include "ui/models/file_choice.h"
 #include "ui/style/words.h"
 #include "ui/views/export/export_take_list.h"
 #include "ui/views/open_take.h"
@@ -359,7 +360,8 @@ void ExportForm::chooseFolder() {
     const QString start = review_.shared().session().isOpen()
                               ? exportFolder(review_.shared().session().session(), settings_)
                               : QString();
-    const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder for exported files"), start);
+    const QString folder =
+        FileChoice{.kind = "exports", .title = tr("Folder for exported files"), .at = start}.folder(this);
     if (folder.isEmpty())
         return;
     const bool is_usual =

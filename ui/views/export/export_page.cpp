@@ -3,7 +3,7 @@
 
 #include <QApplication>
 #include <QDate>
-#include <QFileDialog>
+#include <QDir>
 #include <QFileInfo>
 #include <QInputDialog>
 #include <QKeyEvent>
@@ -12,6 +12,7 @@
 
 #include "core/job/atomic_file.h"
 #include "ui/language/core_words.h"
+#include "ui/models/file_choice.h"
 #include "ui/style/theme.h"
 #include "ui/style/words.h"
 #include "ui/views/export/export_form.h"
@@ -320,8 +321,12 @@ void ExportPage::saveCheck() {
     if (!results_)
         return;
     const QString folder = exportFolder(review_.shared().session().session(), form_->settings());
-    const QString path = QFileDialog::getSaveFileName(this, tr("Save the check"),
-                                                      folder + "/" + tr("check.txt"), tr("Text (*.txt)"));
+    const QString path = FileChoice{.kind = "checks",
+                                    .title = tr("Save the check"),
+                                    .filter = tr("Text (*.txt)"),
+                                    .name = tr("check.txt"),
+                                    .at = folder}
+                             .toSave(this);
     if (path.isEmpty())
         return;
     const Status saved = writeFileAtomically(path.toStdString(), checkAsText(*results_).toStdString(), true);

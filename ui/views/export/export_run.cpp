@@ -264,20 +264,21 @@ Result<ExportResults> tryOneFrame(ExportJob job, double time_s, const JobContext
     return runExport({job}, context);
 }
 
-QString heightInWords(const ExportCheck& check) {
-    const QString height = metresText(check.height_m);
+QString heightInWords(const ExportCheck& check, Units units) {
+    const QString height = lengthText(check.height_m, 2, units);
     if (std::abs(check.lowest_m) <= ExportCheck::kOnFloor_m)
         return RunWords::tr("%1, feet on the floor").arg(height);
-    return check.lowest_m > 0
-               ? RunWords::tr("%1, lowest point %2 above the floor").arg(height, metresText(check.lowest_m))
-               : RunWords::tr("%1, lowest point %2 below the floor").arg(height, metresText(-check.lowest_m));
+    return check.lowest_m > 0 ? RunWords::tr("%1, lowest point %2 above the floor")
+                                    .arg(height, lengthText(check.lowest_m, 2, units))
+                              : RunWords::tr("%1, lowest point %2 below the floor")
+                                    .arg(height, lengthText(-check.lowest_m, 2, units));
 }
 
-QString belowFloorInWords(const ExportCheck& check) {
+QString belowFloorInWords(const ExportCheck& check, Units units) {
     return RunWords::tr(
                "The figure goes %1 below the floor. Process the take with a level floor, or move the "
                "motion up in the program that reads it.")
-        .arg(metresText(-check.lowest_m));
+        .arg(lengthText(-check.lowest_m, 2, units));
 }
 
 QString facingInWords(const ExportCheck& check) {
@@ -323,12 +324,12 @@ namespace {
 QStringList motionLines(const ExportCheck& check) {
     QStringList lines;
     if (check.has_figure)
-        lines << RunWords::tr("Height: %1").arg(heightInWords(check))
+        lines << RunWords::tr("Height: %1").arg(heightInWords(check, Units::kMetric))
               << RunWords::tr("Facing: %1").arg(facingInWords(check));
     lines << RunWords::tr("Joints: %1 of %2").arg(check.joints).arg(check.expected_joints)
           << RunWords::tr("Largest difference to the take: %1").arg(differenceInWords(check));
     if (check.isBelowFloor())
-        lines << belowFloorInWords(check);
+        lines << belowFloorInWords(check, Units::kMetric);
     return lines;
 }
 

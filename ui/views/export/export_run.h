@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/processing/check_export.h"
+#include "ui/style/lengths.h"
 #include "ui/views/export/export_settings.h"
 
 namespace noctule::ui {
@@ -63,10 +64,10 @@ Result<ExportResults> tryOneFrame(ExportJob job, double time_s, const JobContext
 /// The whole check as plain text.
 QString checkAsText(const ExportResults& results);
 /// "1.78 m, feet on the floor", "+Z, left hand to +X", "0.0004°, 0.001 mm".
-QString heightInWords(const ExportCheck& check);
+QString heightInWords(const ExportCheck& check, Units units = chosenUnits());
 QString facingInWords(const ExportCheck& check);
 /// Of one that isBelowFloor(): how far, and what to do.
-QString belowFloorInWords(const ExportCheck& check);
+QString belowFloorInWords(const ExportCheck& check, Units units = chosenUnits());
 QString differenceInWords(const ExportCheck& check);
 /// Of a picture or film: "1280 × 720 pixels".
 QString pictureInWords(const ExportCheck& check);

@@ -2,12 +2,12 @@
 #include "ui/views/performer/body_dialog.h"
 
 #include <QComboBox>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <algorithm>
 
 #include "core/body/actor.h"
 #include "ui/language/core_words.h"
+#include "ui/models/file_choice.h"
 #include "ui/models/part_names.h"
 #include "ui/views/job_progress.h"
 #include "ui/views/performer/landmark_editor.h"
@@ -22,7 +22,6 @@ namespace {
 
 constexpr int kBodyLabels = 120, kBoneWidth = 220;
 constexpr int kDialogWidth = 560, kLandmarksWidth = 1040;
-constexpr const char* kFolderKey = "folders/meshes";
 
 bool isMain(const std::string& joint) {
     const auto& main = mainJoints();
@@ -81,14 +80,11 @@ BodyDialog::BodyDialog(SharedContext& shared, QWidget* parent)
 }
 
 void BodyDialog::chooseFile() {
-    QSettings& settings = shared_.settings();
     const QString path =
-        QFileDialog::getOpenFileName(this, tr("Choose a mesh"), settings.value(kFolderKey).toString(),
-                                     tr("Meshes (*.glb *.gltf *.vrm *.fbx *.dae *.obj *.ply)"));
-    if (path.isEmpty())
-        return;
-    settings.setValue(kFolderKey, QFileInfo(path).path());
-    setMesh(path);
+        FileChoice{"meshes", tr("Choose a mesh"), tr("Meshes (*.glb *.gltf *.vrm *.fbx *.dae *.obj *.ply)")}
+            .toOpen(this);
+    if (!path.isEmpty())
+        setMesh(path);
 }
 
 void BodyDialog::setMesh(const QString& path) {

@@ -2,10 +2,10 @@
 #include "ui/views/performer/length_field.h"
 
 #include <QKeyEvent>
-#include <QLocale>
 #include <algorithm>
 #include <cmath>
 
+#include "ui/style/lengths.h"
 #include "ui/style/words.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/label.h"
@@ -14,11 +14,22 @@
 namespace noctule::ui {
 namespace {
 
-constexpr double kStep_m = 0.005;
 constexpr int kDecimals = 1, kFieldWidth = 64;
 
-QString inCentimetres(double length_m) {
-    return numberText(100 * length_m, kDecimals);
+bool inInches() {
+    return chosenUnits() == Units::kImperial;
+}
+
+double unit_m() {
+    return inInches() ? kMetresPerInch : 0.01;
+}
+
+double step_m() {
+    return inInches() ? kMetresPerInch / 4 : 0.005;
+}
+
+QString inUnits(double length_m) {
+    return numberText(length_m / unit_m(), kDecimals);
 }
 
 }  // namespace
@@ -31,7 +42,8 @@ LengthField::LengthField(double shortest_m, double longest_m, QWidget* parent)
       reset_(new ToolButton("undo", tr("In proportion to the height again"))) {
     auto* row = makeRow(this, {}, 8);
     row->addWidget(edit_);
-    row->addWidget(new Label(tr("cm", "centimetres"), TextRole::kBody, Ink::kHint));
+    row->addWidget(
+        new Label(inInches() ? tr("in", "inches") : tr("cm", "centimetres"), TextRole::kBody, Ink::kHint));
     row->addWidget(reset_);
     row->addStretch();
     keepSize(*edit_, kFieldWidth, 0);
@@ -54,10 +66,10 @@ void LengthField::describe(const QString& name, const QString& how) {
 void LengthField::setLength(double length_m, double proportional_m) {
     length_m_ = length_m;
     proportional_m_ = proportional_m;
-    const QString text = length_m > 0 ? inCentimetres(length_m) : QString();
+    const QString text = length_m > 0 ? inUnits(length_m) : QString();
     if (edit_->text() != text)
         edit_->setText(text);
-    edit_->setPlaceholderText(inCentimetres(proportional_m));
+    edit_->setPlaceholderText(inUnits(proportional_m));
     reset_->setVisible(length_m > 0);
 }
 
@@ -68,22 +80,19 @@ void LengthField::accept() {
             emit lengthEdited(0);
         return;
     }
-    bool is_number = false;
-    double typed_cm = QLocale().toDouble(text, &is_number);
-    if (!is_number)
-        typed_cm = QLocale::c().toDouble(text, &is_number);
+    const auto typed_m = lengthFrom(text, unit_m());
     // What is no length leaves the field as it was.
-    if (!is_number || typed_cm <= 0 || text == inCentimetres(length_m_)) {
+    if (!typed_m || *typed_m <= 0 || text == inUnits(length_m_)) {
         setLength(length_m_, proportional_m_);
         return;
     }
     edit_->setText(text);  // the field forgets the typing: from here on the session takes it back
-    emit lengthEdited(std::clamp(typed_cm / 100, shortest_m_, longest_m_));
+    emit lengthEdited(std::clamp(*typed_m, shortest_m_, longest_m_));
 }
 
 void LengthField::step(double by_m) {
     const double from_m = length_m_ > 0 ? length_m_ : proportional_m_;
-    const double stepped_m = std::round((from_m + by_m) / kStep_m) * kStep_m;
+    const double stepped_m = std::round((from_m + by_m) / step_m()) * step_m();
     emit lengthEdited(std::clamp(stepped_m, shortest_m_, longest_m_));
 }
 
@@ -91,7 +100,7 @@ bool LengthField::eventFilter(QObject* watched, QEvent* event) {
     if (watched == edit_ && event->type() == QEvent::KeyPress) {
         const int key = static_cast<QKeyEvent*>(event)->key();
         if (key == Qt::Key_Up || key == Qt::Key_Down) {
-            step(key == Qt::Key_Up ? kStep_m : -kStep_m);
+            step(key == Qt::Key_Up ? step_m() : -step_m());
             return true;
         }
     }

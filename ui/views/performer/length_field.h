@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A body length in centimetres that may be left empty: then it follows the height, and the length that makes
-// is shown in grey. Up and Down change it by half a centimetre; the button beside it empties it again.
+// A body length in centimetres or inches that may be left empty: then it follows the height, and the length
+// that makes is shown in grey. Up and Down change it by half a centimetre or a quarter of an inch; the button
+// beside it empties it again.
 #pragma once
 
 #include <QLineEdit>

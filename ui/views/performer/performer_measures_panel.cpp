@@ -2,13 +2,13 @@
 #include "ui/views/performer/performer_measures_panel.h"
 
 #include <QCoreApplication>
-#include <QDoubleSpinBox>
 #include <QSignalBlocker>
 #include <QStringList>
 #include <algorithm>
 
 #include "core/job/contract.h"
-#include "ui/style/words.h"
+#include "ui/style/lengths.h"
+#include "ui/views/length_box.h"
 #include "ui/views/performer/length_field.h"
 #include "ui/views/performer/performer_editor.h"
 #include "ui/views/scaled_layout.h"
@@ -52,23 +52,15 @@ QString measureText(const char* text) {
     return QCoreApplication::translate("Measures", text);
 }
 
-QString centimetres(double length_m) {
-    return QCoreApplication::translate("Measures", "%1 cm").arg(numberText(100 * length_m, 1));
-}
-
 }  // namespace
 
 PerformerMeasuresPanel::PerformerMeasuresPanel(PerformerEditor& editor, QWidget* parent)
     : QWidget(parent),
       editor_(editor),
-      height_(new QDoubleSpinBox),
+      height_(new LengthBox(kShortest_m, kTallest_m, LengthBox::Metric::kCentimetres)),
       doubts_(new ProblemCard(Tone::kWarn, tr("Measure once more"), {})) {
     auto* column = makeColumn(this, {12, 0, 12, 12}, 8);
     auto* rows = new FormRows;
-    height_->setRange(100 * kShortest_m, 100 * kTallest_m);
-    height_->setDecimals(1);
-    height_->setSingleStep(1);
-    height_->setSuffix(tr(" cm", "unit after a number"));
     keepSize(*height_, kHeightWidth, 0);
     rows->addRow(tr("Height"), height_);
     for (const MeasureWords& words : kMeasures) {
@@ -83,7 +75,7 @@ PerformerMeasuresPanel::PerformerMeasuresPanel(PerformerEditor& editor, QWidget*
     column->addWidget(rows);
     column->addWidget(doubts_);
     connect(height_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
-            [this](double height_cm) { editor_.setHeight(height_cm / 100); });
+            [this](double height_m) { editor_.setHeight(height_m); });
     connect(&editor, &PerformerEditor::performerChanged, this, &PerformerMeasuresPanel::refresh);
     refresh();
 }
@@ -104,13 +96,13 @@ QString PerformerMeasuresPanel::doubtsInWords(const BodyMeasures& measures) {
         const QString sentence = doubt == MeasureDoubt::kLong
                                      ? tr("%1: %2 is long for this height, where %3 is usual.")
                                      : tr("%1: %2 is short for this height, where %3 is usual.");
-        sentences += sentence.arg(measureText(words.name), centimetres(measures.*words.length),
-                                  centimetres(proportionalLength_m(measures, words.length)));
+        sentences += sentence.arg(measureText(words.name), shortLengthText(measures.*words.length),
+                                  shortLengthText(proportionalLength_m(measures, words.length)));
     }
     const HeightCheck check = checkHeight(measures);
     if (!check.fits)
         sentences += tr("Trunk and legs make a height of %1, not %2.")
-                         .arg(centimetres(check.sum_m), centimetres(measures.height_m));
+                         .arg(shortLengthText(check.sum_m), shortLengthText(measures.height_m));
     return sentences.join('\n');
 }
 
@@ -120,8 +112,8 @@ void PerformerMeasuresPanel::refresh() {
         return;
     const BodyMeasures& measures = editor_.performer().measures;
     const QSignalBlocker quiet(height_);
-    if (height_->value() != 100 * measures.height_m)
-        height_->setValue(100 * measures.height_m);
+    if (height_->value() != measures.height_m)
+        height_->setValue(measures.height_m);
     for (const auto& [length, field] : fields_)
         field->setLength(measures.*length, proportionalLength_m(measures, length));
     const QString doubts = doubtsInWords(measures);

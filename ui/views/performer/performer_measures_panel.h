@@ -8,10 +8,9 @@
 
 #include "core/session/body_measures.h"
 
-class QDoubleSpinBox;
-
 namespace noctule::ui {
 
+class LengthBox;
 class LengthField;
 class PerformerEditor;
 class ProblemCard;
@@ -21,7 +20,7 @@ class PerformerMeasuresPanel : public QWidget {
 public:
     explicit PerformerMeasuresPanel(PerformerEditor& editor, QWidget* parent = nullptr);
 
-    QDoubleSpinBox& height() { return *height_; }
+    LengthBox& height() { return *height_; }
     LengthField& field(double BodyMeasures::*length);
     /// What looks wrong, whole sentences; empty: nothing.
     static QString doubtsInWords(const BodyMeasures& measures);
@@ -30,7 +29,7 @@ private:
     void refresh();
 
     PerformerEditor& editor_;
-    QDoubleSpinBox* height_;
+    LengthBox* height_;
     std::vector<std::pair<double BodyMeasures::*, LengthField*>> fields_;
     ProblemCard* doubts_;
 };

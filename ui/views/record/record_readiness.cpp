@@ -6,6 +6,7 @@
 
 #include "core/acoustics/speed_of_sound.h"
 #include "ui/scene/live_scene.h"
+#include "ui/style/lengths.h"
 #include "ui/style/words.h"
 #include "ui/views/fit_words.h"
 #include "ui/views/number_rows.h"
@@ -53,7 +54,7 @@ RecordReadiness::RecordReadiness(Studio& studio, QWidget* parent)
     addRow(column, 0, {12, 0, 12, 0})->addWidget(suits_);
     in_row_ = (new Label(tr("Live, performers stand in a row, %1 apart. Where they really are to each other "
                             "comes with processing, after the take.")
-                             .arg(metresText(LiveScene::kApart_m)),
+                             .arg(lengthText(LiveScene::kApart_m)),
                          TextRole::kSecondary, Ink::kHint))
                   ->wrapped();
     addRow(column, 0, {12, 0, 12, 0})->addWidget(in_row_);

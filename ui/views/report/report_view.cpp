@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/report/report_view.h"
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QKeyEvent>
 #include <QListWidget>
@@ -11,6 +10,7 @@
 #include "core/job/atomic_file.h"
 #include "core/report/joints_csv.h"
 #include "ui/language/core_words.h"
+#include "ui/models/file_choice.h"
 #include "ui/style/words.h"
 #include "ui/views/open_take.h"
 #include "ui/views/scaled_layout.h"
@@ -70,8 +70,9 @@ QWidget* ReportView::makeHead() {
     formats->addAction(tr("As HTML"), this, &ReportView::saveHtml);
     formats->addAction(tr("As PDF"), this, &ReportView::savePdf);
     formats->addAction(tr("Joints as CSV"), this, [this] {
-        saveJoints(QFileDialog::getSaveFileName(this, tr("Save the report"), openTakeName(review_) + ".csv",
-                                                tr("Tables (*.csv)")));
+        saveJoints(
+            FileChoice{"reports", tr("Save the report"), tr("Tables (*.csv)"), openTakeName(review_) + ".csv"}
+                .toSave(this));
     });
     connect(save_, &QPushButton::clicked, this,
             [this, formats] { formats->exec(save_->mapToGlobal(QPoint(0, save_->height()))); });
@@ -122,8 +123,9 @@ void ReportView::refresh() {
 }
 
 void ReportView::saveHtml() {
-    const QString path = QFileDialog::getSaveFileName(
-        this, tr("Save the report"), openTakeName(review_) + ".html", tr("Web pages (*.html)"));
+    const QString path = FileChoice{"reports", tr("Save the report"), tr("Web pages (*.html)"),
+                                    openTakeName(review_) + ".html"}
+                             .toSave(this);
     save(path, [](const ReportData& data) { return coreMarkup(htmlReport(data)); });
 }
 
@@ -143,8 +145,9 @@ void ReportView::save(const QString& path, std::function<std::string(const Repor
 }
 
 void ReportView::savePdf() {
-    const QString path = QFileDialog::getSaveFileName(
-        this, tr("Save the report"), openTakeName(review_) + ".pdf", tr("PDF documents (*.pdf)"));
+    const QString path = FileChoice{"reports", tr("Save the report"), tr("PDF documents (*.pdf)"),
+                                    openTakeName(review_) + ".pdf"}
+                             .toSave(this);
     if (path.isEmpty())
         return;
     if (page_->savePdf(path))

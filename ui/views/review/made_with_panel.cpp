@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "ui/style/lengths.h"
 #include "ui/style/words.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/form_rows.h"
@@ -57,7 +58,7 @@ void MadeWithPanel::refresh() {
                        : tr("not marked"));
     skeleton_->setText(overview->actor ? tr("%1 joints, %2")
                                              .arg(overview->actor->skeleton.size())
-                                             .arg(metresText(overview->actor->height_m))
+                                             .arg(lengthText(overview->actor->height_m))
                                        : tr("not in the take"));
     suit_->setText(
         tr("%1 boards, %2 sources").arg(overview->suit.boards.size()).arg(overview->suit.sources.size()));

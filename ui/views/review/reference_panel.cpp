@@ -3,13 +3,13 @@
 
 #include <QDir>
 #include <QDropEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMimeData>
 #include <QUrl>
 #include <cmath>
 
 #include "ui/language/core_words.h"
+#include "ui/models/file_choice.h"
 #include "ui/style/words.h"
 #include "ui/views/job_progress.h"
 #include "ui/views/open_take.h"
@@ -176,9 +176,9 @@ QString ReferencePanel::whyNotAttached() const {
 void ReferencePanel::chooseFile() {
     if (!whyNotAttached().isEmpty())
         return;
-    const QString path =
-        QFileDialog::getOpenFileName(this, tr("Choose a recording of the same performance"), {},
-                                     tr("Motions and positions (%1)").arg(namePatterns()));
+    const QString path = FileChoice{"references", tr("Choose a recording of the same performance"),
+                                    tr("Motions and positions (%1)").arg(namePatterns())}
+                             .toOpen(this);
     if (!path.isEmpty())
         ask(path);
 }

@@ -5,7 +5,6 @@
 #include <QButtonGroup>
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QLineEdit>
 #include <array>
@@ -13,6 +12,7 @@
 #include "core/estimation/paper_parameters.h"
 #include "core/processing/outside_files.h"
 #include "ui/language/core_words.h"
+#include "ui/models/file_choice.h"
 #include "ui/style/words.h"
 #include "ui/views/fit_words.h"
 #include "ui/views/open_take.h"
@@ -215,7 +215,7 @@ void ReprocessDialog::addCalibration(QBoxLayout& into) {
     }
     connect(calibration_from_file->button(), &QAbstractButton::clicked, this, [this] {
         const QString path =
-            QFileDialog::getOpenFileName(this, tr("Choose a calibration"), {}, tr("Calibrations (*.json)"));
+            FileChoice{"calibrations", tr("Choose a calibration"), tr("Calibrations (*.json)")}.toOpen(this);
         if (path.isEmpty() && !calibration_)
             calibration_in_force->setChecked(true);
         else if (!path.isEmpty())

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/review/review_sidebar.h"
 
-#include <QFileDialog>
 #include <QInputDialog>
 #include <QMenu>
 
+#include "ui/models/file_choice.h"
 #include "ui/views/job_progress.h"
 #include "ui/views/open_take.h"
 #include "ui/views/review/made_with_panel.h"
@@ -117,7 +117,7 @@ void ReviewSidebar::fillMenu(QMenu& menu) {
     });
     QAction* import = menu.addAction(tr("Import takes"), this, [this] {
         const QStringList paths =
-            QFileDialog::getOpenFileNames(this, tr("Import takes"), {}, tr("Takes (*.noctule)"));
+            FileChoice{"last_take", tr("Import takes"), tr("Takes (*.noctule)")}.severalToOpen(this);
         if (!paths.isEmpty())
             studio_.session().importTakes(paths);
     });

@@ -3,13 +3,13 @@
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QFileDialog>
 #include <QGridLayout>
 #include <QLineEdit>
 #include <set>
 
 #include "core/job/atomic_file.h"
 #include "ui/language/core_words.h"
+#include "ui/models/file_choice.h"
 #include "ui/style/words.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
@@ -197,8 +197,8 @@ void ColumnsDialog::saveMap() {
     readFields();
     const auto map = mapOfColumns(table_, rate->value());
     const QString path =
-        map ? QFileDialog::getSaveFileName(this, tr("Save the map"), QStringLiteral("map.json"),
-                                           tr("Import maps (*.json)"))
+        map ? FileChoice{"import_maps", tr("Save the map"), tr("Import maps (*.json)"), "map.json"}.toSave(
+                  this)
             : QString();
     if (path.isEmpty())
         return;

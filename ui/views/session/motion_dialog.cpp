@@ -2,8 +2,6 @@
 #include "ui/views/session/motion_dialog.h"
 
 #include <QComboBox>
-#include <QDoubleSpinBox>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QRegularExpression>
 #include <QSlider>
@@ -12,9 +10,12 @@
 #include "core/body/joint_names.h"
 #include "core/mesh/rig/bone_map.h"
 #include "ui/language/core_words.h"
+#include "ui/models/file_choice.h"
 #include "ui/models/part_names.h"
+#include "ui/style/lengths.h"
 #include "ui/style/words.h"
 #include "ui/views/job_progress.h"
+#include "ui/views/length_box.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/views/session/motion_picture.h"
 #include "ui/widgets/button.h"
@@ -29,7 +30,6 @@ constexpr int kMotionDialogWidth = 1000, kFactsWidth = 450, kFactLabels = 110, k
               kFactsHeight = 300;
 constexpr double kLeastHeight_m = 0.3, kMostHeight_m = 3, kAsShown_m = 0.29;
 constexpr const char* kScenarioKey = "motions/scenario";
-constexpr const char* kMapsFolderKey = "folders/bone_maps";
 
 int rowOf(const QComboBox& box, int value) {
     return std::max(0, box.findData(value));
@@ -58,7 +58,7 @@ MotionDialog::MotionDialog(Studio& studio, const QString& path, QWidget* parent)
       up(new QComboBox),
       unit(new QComboBox),
       scenario(new QComboBox),
-      height(new QDoubleSpinBox),
+      height(new LengthBox(kAsShown_m, kMostHeight_m, LengthBox::Metric::kMetres)),
       exchange_sides(makeButton(ButtonKind::kOutlined, tr("Exchange left and right"), "swap")),
       find_again(makeButton(ButtonKind::kText, tr("Find again"))),
       save_bones(makeButton(ButtonKind::kText, tr("Save as bone map"))),
@@ -119,10 +119,6 @@ QWidget* MotionDialog::makeFacts() {
                                       {tr("CMU's unit, 5.64 cm"), BvhUnit::kCmu}})
         unit->addItem(text, static_cast<int>(value));
     form->addRow(tr("Unit"), unit);
-    height->setRange(kAsShown_m, kMostHeight_m);
-    height->setDecimals(2);
-    height->setSingleStep(0.01);
-    height->setSuffix(tr(" m"));
     height->setSpecialValueText(tr("as the file shows"));
     form->addRow(tr("Height"), height);
     form->addControl(exchange_sides);
@@ -309,24 +305,23 @@ bool MotionDialog::saveBones(const QString& path) {
 }
 
 void MotionDialog::askWhereToSave() {
-    QSettings& settings = studio_.settings();
-    const QDir folder(settings.value(kMapsFolderKey, QFileInfo(path_).path()).toString());
-    const QString path = QFileDialog::getSaveFileName(
-        this, tr("Save as bone map"), folder.filePath(QFileInfo(path_).completeBaseName() + ".bones.json"),
-        tr("Bone maps (*.json)"));
-    if (path.isEmpty())
-        return;
-    settings.setValue(kMapsFolderKey, QFileInfo(path).path());
-    saveBones(path);
+    const QString path = FileChoice{.kind = "bone_maps",
+                                    .title = tr("Save as bone map"),
+                                    .filter = tr("Bone maps (*.json)"),
+                                    .name = QFileInfo(path_).completeBaseName() + ".bones.json",
+                                    .usual = QFileInfo(path_).path()}
+                             .toSave(this);
+    if (!path.isEmpty())
+        saveBones(path);
 }
 
 void MotionDialog::showFacts() {
     fills_ = true;
     const auto& motion = file_.motion;
     picture_->setMotion(motion);
-    figure_->setText(motion ? tr("%1 m tall, %2 points up, 1 unit is %3 m", "height, axis, length")
-                                  .arg(numberText(motion->measures.height_m, 2),
-                                       coreWords(toText(motion->up)), numberText(motion->metres_per_unit, 4))
+    figure_->setText(motion ? tr("%1 tall, %2 points up, 1 unit is %3 m", "height, axis, length")
+                                  .arg(lengthText(motion->measures.height_m), coreWords(toText(motion->up)),
+                                       numberText(motion->metres_per_unit, 4))
                             : tr("no person was found"));
     const double step_s = motion ? motion->clip.frame_time_s : file_.document->frame_time_s;
     const int frames = static_cast<int>(motion ? motion->clip.frames.size() : file_.document->frameCount());

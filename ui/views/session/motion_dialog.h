@@ -10,7 +10,6 @@
 #include "ui/views/dialog_frame.h"
 
 class QComboBox;
-class QDoubleSpinBox;
 class QSlider;
 
 namespace noctule::ui {
@@ -18,6 +17,7 @@ namespace noctule::ui {
 class Button;
 class JobProgress;
 class Label;
+class LengthBox;
 class MotionPicture;
 
 class MotionDialog : public DialogFrame {
@@ -38,7 +38,7 @@ public:
 
     // For the operator and tests.
     QComboBox *up, *unit, *scenario;
-    QDoubleSpinBox* height;
+    LengthBox* height;
     Button *exchange_sides, *find_again, *save_bones;
     QSlider* frame;
 

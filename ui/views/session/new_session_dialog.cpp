@@ -3,15 +3,15 @@
 
 #include <QDate>
 #include <QDir>
-#include <QDoubleSpinBox>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QVBoxLayout>
 
 #include "core/session/placement.h"
+#include "ui/models/file_choice.h"
 #include "ui/models/shared_context.h"
+#include "ui/views/length_box.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/form_rows.h"
@@ -92,11 +92,7 @@ void NewSessionDialog::buildFields(QVBoxLayout& column) {
 
     performer_ = new QLineEdit(SessionModel::firstPerformer());
     rows->addRow(tr("Performer"), performer_);
-    height_ = new QDoubleSpinBox;
-    height_->setRange(kLowest_m, kHighest_m);
-    height_->setSingleStep(0.01);
-    height_->setDecimals(2);
-    height_->setSuffix(tr(" m", "unit of length after a number"));
+    height_ = new LengthBox(kLowest_m, kHighest_m, LengthBox::Metric::kMetres);
     height_->setValue(1.75);
     rows->addRow(tr("Height"), height_);
     rows->addHint(
@@ -138,7 +134,8 @@ void NewSessionDialog::followName() {
 
 void NewSessionDialog::chooseFolder() {
     const QString home = QFileInfo(folder()).dir().path();
-    const QString chosen = QFileDialog::getExistingDirectory(this, tr("Folder for the new session"), home);
+    const QString chosen =
+        FileChoice{.kind = "new_session", .title = tr("Folder for the new session"), .at = home}.folder(this);
     if (chosen.isEmpty())
         return;
     const bool empty = QDir(chosen).isEmpty(QDir::AllEntries | QDir::NoDotAndDotDot);

@@ -5,7 +5,6 @@
 
 #include <QDialog>
 
-class QDoubleSpinBox;
 class QLineEdit;
 class QVBoxLayout;
 
@@ -13,6 +12,7 @@ namespace noctule::ui {
 
 class Button;
 class Label;
+class LengthBox;
 class SharedContext;
 
 class NewSessionDialog : public QDialog {
@@ -38,7 +38,7 @@ private:
 
     SharedContext& shared_;
     QLineEdit *name_, *folder_, *performer_;
-    QDoubleSpinBox* height_;
+    LengthBox* height_;
     Label* problem_;
     Button* create_;
     bool folder_edited_ = false;

@@ -2,22 +2,18 @@
 // Which columns of a table are what, and which sensor sits where, as the operator says it to a
 // RecordingDialog.
 #include <QCryptographicHash>
-#include <QFileDialog>
 #include <QFileInfo>
 
 #include "core/job/atomic_file.h"
 #include "core/math/json.h"
 #include "ui/language/core_words.h"
+#include "ui/models/file_choice.h"
 #include "ui/views/session/columns_dialog.h"
 #include "ui/views/session/recording_dialog.h"
 #include "ui/widgets/button.h"
 
 namespace noctule::ui {
-namespace {
-
-constexpr const char* kImportMapsKey = "folders/import_maps";
-
-}  // namespace
+namespace {}  // namespace
 
 bool RecordingDialog::useMap(const QString& path) {
     const auto bytes = readWholeFile(path.toStdString(), {});
@@ -34,15 +30,13 @@ bool RecordingDialog::useMap(const QString& path) {
 }
 
 void RecordingDialog::askForMap() {
-    QSettings& settings = shared_.settings();
-    const QString path = QFileDialog::getOpenFileName(
-        this, tr("Choose a map of sensors or columns"),
-        settings.value(kImportMapsKey, QFileInfo(request_.paths.value(0)).path()).toString(),
-        tr("Import maps (*.json)"));
-    if (path.isEmpty())
-        return;
-    settings.setValue(kImportMapsKey, QFileInfo(path).path());
-    useMap(path);
+    const QString path = FileChoice{.kind = "import_maps",
+                                    .title = tr("Choose a map of sensors or columns"),
+                                    .filter = tr("Import maps (*.json)"),
+                                    .usual = QFileInfo(request_.paths.value(0)).path()}
+                             .toOpen(this);
+    if (!path.isEmpty())
+        useMap(path);
 }
 
 /// Of any program, and of none whose tables are known.

@@ -2,22 +2,15 @@
 #include "ui/views/session/session_commands.h"
 
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 
 #include "core/session/session.h"
+#include "ui/models/file_choice.h"
 #include "ui/models/shared_context.h"
 #include "ui/views/session/new_session_dialog.h"
 #include "ui/views/session/transfer_dialog.h"
 
 namespace noctule::ui {
-namespace {
-
-QString lastFolder(SharedContext& shared, const char* key) {
-    return shared.settings().value(key, shared.sessionsFolder()).toString();
-}
-
-}  // namespace
 
 void SessionCommands::askForTransfer(QWidget* parent, SharedContext& shared, int take,
                                      SessionModel::Transfer how) {
@@ -48,39 +41,30 @@ void SessionCommands::askForNew(QWidget* parent, SharedContext& shared) {
 }
 
 void SessionCommands::askToOpen(QWidget* parent, SharedContext& shared) {
-    const QString folder = QFileDialog::getExistingDirectory(parent, tr("Open session"),
-                                                             lastFolder(shared, "folders/last_session"));
-    if (folder.isEmpty())
-        return;
-    shared.settings().setValue("folders/last_session", QFileInfo(folder).dir().path());
-    shared.session().open(folder);
+    const QString folder =
+        FileChoice{.kind = "last_session", .title = tr("Open session"), .usual = shared.sessionsFolder()}
+            .folder(parent);
+    if (!folder.isEmpty())
+        shared.session().open(folder);
 }
 
 QStringList SessionCommands::askForTakes(QWidget* parent, SharedContext& shared) {
-    const QStringList paths = QFileDialog::getOpenFileNames(
-        parent, tr("Choose takes"), lastFolder(shared, "folders/last_take"), tr("Takes (*.noctule)"));
-    if (!paths.isEmpty())
-        shared.settings().setValue("folders/last_take", QFileInfo(paths.first()).dir().path());
-    return paths;
+    return FileChoice{.kind = "last_take",
+                      .title = tr("Choose takes"),
+                      .filter = tr("Takes (*.noctule)"),
+                      .usual = shared.sessionsFolder()}
+        .severalToOpen(parent);
 }
 
-QString SessionCommands::askForMotion(QWidget* parent, SharedContext& shared) {
-    const QString path = QFileDialog::getOpenFileName(parent, tr("Choose a motion"),
-                                                      shared.settings().value("folders/motions").toString(),
-                                                      tr("Motions (*.bvh *.fbx *.glb *.gltf *.vrm *.dae)"));
-    if (!path.isEmpty())
-        shared.settings().setValue("folders/motions", QFileInfo(path).path());
-    return path;
+QString SessionCommands::askForMotion(QWidget* parent) {
+    return FileChoice{"motions", tr("Choose a motion"), tr("Motions (*.bvh *.fbx *.glb *.gltf *.vrm *.dae)")}
+        .toOpen(parent);
 }
 
-QStringList SessionCommands::askForRecording(QWidget* parent, SharedContext& shared) {
-    const QStringList paths = QFileDialog::getOpenFileNames(
-        parent, tr("Choose the files of one recording"),
-        shared.settings().value("folders/recordings").toString(),
-        tr("Recordings of sensors (*.mat *.mvnx *.txt *.ximu3 *.sto *.csv *.tsv)"));
-    if (!paths.isEmpty())
-        shared.settings().setValue("folders/recordings", QFileInfo(paths.first()).path());
-    return paths;
+QStringList SessionCommands::askForRecording(QWidget* parent) {
+    return FileChoice{"recordings", tr("Choose the files of one recording"),
+                      tr("Recordings of sensors (*.mat *.mvnx *.txt *.ximu3 *.sto *.csv *.tsv)")}
+        .severalToOpen(parent);
 }
 
 void SessionCommands::import(QWidget* parent, SharedContext& shared, const QStringList& paths) {

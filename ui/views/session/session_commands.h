@@ -21,9 +21,9 @@ public:
     static void askToOpen(QWidget* parent, SharedContext& shared);
     /// Empty when the operator thought better of it.
     static QStringList askForTakes(QWidget* parent, SharedContext& shared);
-    static QString askForMotion(QWidget* parent, SharedContext& shared);
+    static QString askForMotion(QWidget* parent);
     /// Files of one recording of other sensors.
-    static QStringList askForRecording(QWidget* parent, SharedContext& shared);
+    static QStringList askForRecording(QWidget* parent);
     /// Asks which takes, and for a session first when none is open.
     static void askForImport(QWidget* parent, SharedContext& shared);
     /// A new session first when none is open.

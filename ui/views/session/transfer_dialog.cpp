@@ -3,10 +3,10 @@
 
 #include <QBoxLayout>
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QListWidget>
 
+#include "ui/models/file_choice.h"
 #include "ui/models/session_marker.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/views/session/recent_sessions.h"
@@ -17,7 +17,6 @@ namespace noctule::ui {
 namespace {
 
 constexpr int kSessionsWide = 440, kSessionsHigh = 200;
-constexpr const char* kLastSession = "folders/last_session";
 
 bool isMove(SessionModel::Transfer how) {
     return how == SessionModel::Transfer::kMove;
@@ -87,8 +86,9 @@ QString TransferDialog::choose(const QString& folder) {
 }
 
 void TransferDialog::askForFolder() {
-    const QString last = shared_.settings().value(kLastSession, shared_.sessionsFolder()).toString();
-    const QString folder = QFileDialog::getExistingDirectory(this, tr("Choose a session"), last);
+    const QString folder =
+        FileChoice{.kind = "last_session", .title = tr("Choose a session"), .usual = shared_.sessionsFolder()}
+            .folder(this);
     if (folder.isEmpty())
         return;
     setProblem(choose(folder));
