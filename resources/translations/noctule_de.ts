@@ -8818,6 +8818,26 @@ Median; gut: unter %1</translation>
         <translation>Mit einer Kalibrierung verarbeiten</translation>
     </message>
     <message>
+        <source>Made of distances only</source>
+        <translation>Nur aus Entfernungen</translation>
+    </message>
+    <message>
+        <source>Made of accelerometers only</source>
+        <translation>Nur aus Beschleunigungsmessern</translation>
+    </message>
+    <message>
+        <source>Made without gyroscopes</source>
+        <translation>Ohne Gyroskope</translation>
+    </message>
+    <message>
+        <source>No gyroscope was used, so the angles are guesses. Process the take with gyroscopes for a result to work with.</source>
+        <translation>Kein Gyroskop wurde verwendet, die Winkel sind daher geraten. Verarbeiten Sie die Aufnahme mit Gyroskopen, um mit dem Ergebnis arbeiten zu können.</translation>
+    </message>
+    <message>
+        <source>Process with gyroscopes</source>
+        <translation>Mit Gyroskopen verarbeiten</translation>
+    </message>
+    <message>
         <source>Ranges backed the joints %1 of the time, and inertia carried them in between; none stands out.</source>
         <translation>Entfernungen stützten die Gelenke %1 der Zeit, dazwischen trug sie die Trägheit; keines fällt auf.</translation>
     </message>
