@@ -11539,6 +11539,13 @@ Drehen, beide Richtungen x3</translation>
     </message>
 </context>
 <context>
+    <name>noctule::ui::TakeRange</name>
+    <message>
+        <source>In is at %1, out at %2.</source>
+        <translation>Anfang bei %1, Ende bei %2.</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::TaskCard</name>
     <message>
         <source>Prepare</source>
