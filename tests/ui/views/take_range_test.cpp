@@ -5,6 +5,7 @@
 #include <QSignalSpy>
 
 #include "tests/ui/views/reviewed_session.h"
+#include "ui/plots/time_window.h"
 #include "ui/plots/timeline.h"
 #include "ui/plots/transport_bar.h"
 
@@ -15,7 +16,8 @@ using TakeRangeTest = test::ReviewedSession;
 
 TEST_F(TakeRangeTest, SetByACommandTheyAreTakenBackOneByOne) {
     const TakeRange range(*studio_);
-    Timeline timeline(*studio_);
+    TimeWindow window(studio_->time());
+    Timeline timeline(*studio_, window);
     TransportBar bar(*studio_, timeline);
     openTake("swing_001");
     QSignalSpy said(studio_.get(), &Studio::said);
