@@ -2155,6 +2155,17 @@
         <source>Swap boards %1 and %2</source>
         <translation>Platinen %1 und %2 tauschen</translation>
     </message>
+    <message numerus="yes">
+        <source>Listening for %n s.</source>
+        <translation>
+            <numerusform>Hört seit %n s zu.</numerusform>
+            <numerusform>Hört seit %n s zu.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No board moves more than all others yet. Turn the limb faster; a board that stays silent is not found.</source>
+        <translation>Noch bewegt sich keine Platine mehr als alle anderen. Drehen Sie das Glied schneller; eine Platine, die stumm bleibt, wird nicht gefunden.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::AttachDialog</name>
