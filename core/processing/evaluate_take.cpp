@@ -262,9 +262,10 @@ Status addQuality(const Take& take, const DerivedRun& run, const RunSettings& se
     data.pairs = std::move(*pairs);
     if (data.boards.empty())
         return Done{};
+    const bool has_inertia = settings.sensors.find_first_of("AG") != std::string::npos;
     std::vector<double> board_share;
     for (const ReportBoard& board : data.boards)
-        board_share.push_back(board.frames_expected == 0 ? 0 : 1 - board.lostShare());
+        board_share.push_back(board.frames_expected == 0 || !has_inertia ? 0 : 1 - board.lostShare());
     data.support = jointSupport(parts->actor.skeleton, parts->suit, data.pairs, board_share, data.take);
     return Done{};
 }

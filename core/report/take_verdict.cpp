@@ -39,6 +39,7 @@ public:
         }
         judgeError();
         listJoints();
+        judgeSensors();
         judgeCalibration();
         judgeSupport();
         judgeResidual();
@@ -104,6 +105,14 @@ private:
         }
     }
 
+    /// Nothing else tells fast turns: distances alone are off by 100 degrees where few are heard.
+    void judgeSensors() {
+        verdict_.sensors = run_->sensors;
+        has_gyroscopes_ = run_->sensors.find('G') != std::string::npos;
+        if (!has_gyroscopes_)
+            charge(VerdictReason::kNoGyroscopes, comparison_ ? Grade::kUsable : Grade::kNotUsable);
+    }
+
     /// With a reference the error is known, and a missing calibration only explains it.
     void judgeCalibration() {
         verdict_.lack = report_.lack;
@@ -123,7 +132,7 @@ private:
             sum += support.ranges;
         const JointSupport& alone = *std::ranges::max_element(report_.support, {}, &JointSupport::alone);
         verdict_.backed_share = sum / static_cast<double>(report_.support.size());
-        if (comparison_ || is_uncalibrated_)
+        if (comparison_ || isExplained())
             return;
         const bool alone_by_design = alone.alone() >= kNeverTold;
         const Grade of_alone = alone_by_design
@@ -145,6 +154,9 @@ private:
         charge(VerdictReason::kSupport, grade);
     }
 
+    /// Low support and large residuals follow from it.
+    bool isExplained() const { return is_uncalibrated_ || !has_gyroscopes_; }
+
     /// The joint that ranges stopped backing most clearly.
     bool findLessCertainJoint() {
         const auto less = std::ranges::max_element(report_.support, {}, &JointSupport::lost_share);
@@ -160,7 +172,7 @@ private:
         const std::vector<float> sizes_m = residualSizes_m(report_.pairs);
         verdict_.residual_median_m = quantileOf(sizes_m, 0.5);
         verdict_.residual_spread_m = quantileOf(sizes_m, kOneSigma);
-        if (!verdict_.residual_spread_m || comparison_ || is_uncalibrated_)
+        if (!verdict_.residual_spread_m || comparison_ || isExplained())
             return;
         Grade grade =
             gradeOf(*verdict_.residual_spread_m, limits_.good_residual_m, limits_.usable_residual_m);
@@ -253,7 +265,8 @@ private:
     const VerdictLimits& limits_;
     const ReportRun* run_;
     const Comparison* comparison_ = nullptr;
-    bool is_uncalibrated_ = false;  ///< so that low support and large residuals follow from it
+    bool is_uncalibrated_ = false;
+    bool has_gyroscopes_ = true;
     TakeVerdict verdict_;
     std::vector<Charge> charges_;
 };

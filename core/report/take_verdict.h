@@ -47,6 +47,7 @@ enum class VerdictReason {
     kEndsInRest,     ///< the recording ended before the rest pose did; stands for all that follows from it
     kPeopleApart,    ///< nothing measured where several performers stand to each other
     kNotCalibrated,  ///< what the run was made with lacks values; stands for all that follows from it
+    kNoGyroscopes,   ///< the run used none: its angles are guesses; stands for all that follows from it
 };
 
 /// Of a joint that moves, in the order of the skeleton.
@@ -85,6 +86,7 @@ struct TakeVerdict {
     std::vector<VerdictBoard> lossy_boards;  ///< that lost more than is good, worst first
     bool lost_together = false;              ///< all boards and about as much: the link to their box did
     CalibrationLack lack;                    ///< of what the run was made with
+    std::string sensors;                     ///< that the run used: A, G, D
 
     std::optional<double> mean_error_deg;     ///< over joints, against the reference
     double compared_share = 1;                ///< of the take after its rest: covered by the reference, 0..1

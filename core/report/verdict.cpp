@@ -100,6 +100,11 @@ std::string reasonSentence(VerdictReason reason, const ReportData& data, const R
                    " s in one piece: the pose is a guess there.";
         case VerdictReason::kPeopleApart:
             return apartSentence(data);
+        case VerdictReason::kNoGyroscopes:
+            return "Made of " + sensorsInWords(run.sensors) +
+                   ": no gyroscope was used, so the angles are guesses. Process the take with gyroscopes for "
+                   "a "
+                   "result to work with.";
         case VerdictReason::kNone:
         case VerdictReason::kMeanError:
         case VerdictReason::kBoardLost:
@@ -204,7 +209,8 @@ Verdict judge(const ReportData& data) {
         judgeConsistency(*run->comparison, lacks_calibration, verdict);
     if (lacks_calibration && !is_uncalibrated)
         verdict.reasons.push_back(lackSentence(data.lack));
-    if (!lacks_calibration)  // else rejected ranges follow from it
+    if (!lacks_calibration &&
+        run->sensors.find('G') != std::string::npos)  // else rejected ranges follow from it
         judgeRanges(data, verdict);
     judgeBoards(data, judged, verdict);
     verdict.reasons.insert(verdict.reasons.end(), data.warnings.begin(), data.warnings.end());

@@ -127,15 +127,20 @@ void LiveProcessor::handle(const StatusRow& status) {
                            status.battery_percent});
 }
 
+std::optional<Error> LiveProcessor::lossIn(const std::vector<TimedPose>& poses) {
+    if (poses.empty() || (poses.back().pose && isUsable(*poses.back().pose)))
+        return {};
+    return Error{ErrorKind::kUnusable, "the live estimate was lost: the data contradict each other",
+                 "Disconnect the suit and connect it again; check its calibration. What is recorded is "
+                 "complete"};
+}
+
 void LiveProcessor::collect() {
     const std::vector<InertialReading> readings = pipeline_->takeReadings();
     const std::vector<RangeMeasurement> ranges = pipeline_->takeRanges();
     const std::vector<TimedPose> poses = pipeline_->takePoses();
-    if (!poses.empty() && !(poses.back().pose && isUsable(*poses.back().pose)))
-        return endWith(
-            {ErrorKind::kUnusable, "the live estimate was lost: the data contradict each other",
-             "Disconnect the suit and connect it again; check its calibration. What is recorded is "
-             "complete"});
+    if (const auto loss = lossIn(poses))
+        return endWith(*loss);
     measureLatency(poses);
     if (pose_listener_)
         predict(readings, poses);

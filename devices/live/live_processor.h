@@ -70,6 +70,8 @@ public:
     std::optional<ResultSpool>& spool() { return spool_; }
     /// After finish(): when each foot stood.
     std::vector<FootContacts> contacts() const { return pipeline_->tracker().contacts(); }
+    /// Why nothing can follow these poses: the last of them is none.
+    static std::optional<Error> lossIn(const std::vector<TimedPose>& poses);
 
 private:
     LiveProcessor(const LivePlan& plan, std::unique_ptr<LivePipeline> pipeline,

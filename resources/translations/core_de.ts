@@ -6937,6 +6937,10 @@
         <translation>Mit Noctule erstellt. %1</translation>
     </message>
     <message>
+        <source>Made of %1: no gyroscope was used, so the angles are guesses. Process the take with gyroscopes for a result to work with.</source>
+        <translation>Gerechnet aus: %1. Kein Gyroskop wurde verwendet, die Winkel sind daher geraten. Verarbeiten Sie die Aufnahme mit Gyroskopen, um mit dem Ergebnis arbeiten zu können.</translation>
+    </message>
+    <message>
         <source>Magnetometers</source>
         <translation>Magnetometer</translation>
     </message>

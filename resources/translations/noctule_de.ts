@@ -2151,6 +2151,17 @@
         <source>Swap boards %1 and %2</source>
         <translation>Platinen %1 und %2 tauschen</translation>
     </message>
+    <message numerus="yes">
+        <source>Listening for %n s.</source>
+        <translation>
+            <numerusform>Hört seit %n s zu.</numerusform>
+            <numerusform>Hört seit %n s zu.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No board moves more than all others yet. Turn the limb faster; a board that stays silent is not found.</source>
+        <translation>Noch bewegt sich keine Platine mehr als alle anderen. Drehen Sie das Glied schneller; eine Platine, die stumm bleibt, wird nicht gefunden.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::AttachDialog</name>
@@ -8834,6 +8845,26 @@ Median; gut: unter %1</translation>
         <translation>Mit einer Kalibrierung verarbeiten</translation>
     </message>
     <message>
+        <source>Made of distances only</source>
+        <translation>Nur aus Entfernungen</translation>
+    </message>
+    <message>
+        <source>Made of accelerometers only</source>
+        <translation>Nur aus Beschleunigungsmessern</translation>
+    </message>
+    <message>
+        <source>Made without gyroscopes</source>
+        <translation>Ohne Gyroskope</translation>
+    </message>
+    <message>
+        <source>No gyroscope was used, so the angles are guesses. Process the take with gyroscopes for a result to work with.</source>
+        <translation>Kein Gyroskop wurde verwendet, die Winkel sind daher geraten. Verarbeiten Sie die Aufnahme mit Gyroskopen, um mit dem Ergebnis arbeiten zu können.</translation>
+    </message>
+    <message>
+        <source>Process with gyroscopes</source>
+        <translation>Mit Gyroskopen verarbeiten</translation>
+    </message>
+    <message>
         <source>Ranges backed the joints %1 of the time, and inertia carried them in between; none stands out.</source>
         <translation>Entfernungen stützten die Gelenke %1 der Zeit, dazwischen trug sie die Trägheit; keines fällt auf.</translation>
     </message>
@@ -11557,6 +11588,13 @@ Drehen, beide Richtungen x3</translation>
         <source>%1 driver box: %2</source>
         <comment>time, what it says</comment>
         <translation>%1 Steuerbox: %2</translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::TakeRange</name>
+    <message>
+        <source>In is at %1, out at %2.</source>
+        <translation>Anfang bei %1, Ende bei %2.</translation>
     </message>
 </context>
 <context>

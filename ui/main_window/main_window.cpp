@@ -155,7 +155,7 @@ void MainWindow::goTo(Step step) {
     const auto& commands = commandOfStep();
     for (const auto& [other, command] : commands)
         (*actions_)[command]->setChecked(other == step);
-    actions_->setOpenKeyFree(step == Step::kReview);
+    actions_->setReviewShown(step == Step::kReview);
     showPageActions();
     refreshTitle();
     next.enter();

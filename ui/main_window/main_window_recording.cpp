@@ -34,9 +34,11 @@ void MainWindow::connectSuit() {
 
 void MainWindow::showPlaceReset() {
     const QString why_not = studio_.placeReset().whyNot();
+    const bool counts = studio_.placeReset().isCounting();
     for (const Command command : {Command::kResetPlace, Command::kResetPlaceLater}) {
-        (*actions_)[command]->setEnabled(why_not.isEmpty());
-        (*actions_)[command]->setToolTip(why_not);  // empty: its text
+        const bool ends = counts && command == Command::kResetPlaceLater;  // it can always be ended
+        (*actions_)[command]->setEnabled(ends || why_not.isEmpty());
+        (*actions_)[command]->setToolTip(ends ? QString() : why_not);  // empty: its text
     }
 }
 

@@ -64,7 +64,8 @@ WindowActions::WindowActions(QWidget& window) : QObject(&window), window_(window
 
 void WindowActions::addFileActions() {
     add(Command::kNewSession, tr("New session"), {QKeySequence("Ctrl+N")}, "new");
-    add(Command::kOpenSession, tr("Open session"), {}, "open");
+    add(Command::kOpenSession, tr("Open session"), {QKeySequence("Ctrl+O"), QKeySequence("Ctrl+Shift+O")},
+        "open");
     add(Command::kOpenTake, tr("Open take"), {}, "");
     add(Command::kImportTakes, tr("Import takes into this session"), {}, "");
     add(Command::kImportMotion, tr("Import motion"), {QKeySequence("Ctrl+Shift+M")}, "skeleton");
@@ -75,7 +76,6 @@ void WindowActions::addFileActions() {
     add(Command::kQuit, tr("Quit"), {QKeySequence("Ctrl+Q")}, "")->setMenuRole(QAction::QuitRole);
     add(Command::kPreferences, tr("Preferences"), {QKeySequence("Ctrl+,")}, "gear")
         ->setMenuRole(QAction::PreferencesRole);
-    setOpenKeyFree(false);
 }
 
 void WindowActions::addStepActions() {
@@ -133,15 +133,15 @@ void WindowActions::adopt(Command command, QAction* action, const QList<QKeySequ
     window_.addAction(action);
 }
 
-void WindowActions::setOpenKeyFree(bool free) {
-    QList<QKeySequence> keys{QKeySequence("Ctrl+Shift+O")};
-    if (!free)
-        keys.prepend(QKeySequence("Ctrl+O"));
-    Keys::get().setUsual(*actions_.at(Command::kOpenSession), keys);
+void WindowActions::setReviewShown(bool shown) {
+    Keys::get().restrict(*actions_.at(Command::kOpenSession), [shown](const QKeySequence& key) {
+        return !shown || key != Keys::keyOf("review/out", QKeySequence("Ctrl+O"));
+    });
 }
 
 void WindowActions::setRobotShown(bool shown) {
     Keys& keys = Keys::get();
+    keys.restrict(*actions_.at(Command::kStepRobot), [shown](const QKeySequence&) { return shown; });
     keys.setUsual(*actions_.at(Command::kStepRobot),
                   shown ? QList<QKeySequence>{QKeySequence("Ctrl+4")} : QList<QKeySequence>{});
     keys.setUsual(*actions_.at(Command::kStepReview), {QKeySequence(shown ? "Ctrl+5" : "Ctrl+4")});

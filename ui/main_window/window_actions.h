@@ -58,9 +58,10 @@ public:
     QAction* operator[](Command command) const { return actions_.at(command); }
     /// Undo and redo come from the undo stack, which words them.
     void adopt(Command command, QAction* action, const QList<QKeySequence>& keys);
-    /// In Review, Ctrl+O is the out point.
-    void setOpenKeyFree(bool free);
-    /// The keys of steps are their numbers: with a robot, its step stands before Review.
+    /// In Review the key of the out point is its own: Ctrl+O, unless the operator gave it another one.
+    void setReviewShown(bool shown);
+    /// The keys of steps are their numbers: with a robot, its step stands before Review. Without one no key
+    /// leads to it.
     void setRobotShown(bool shown);
     /// In the order of Command, for the list of shortcuts.
     QList<QAction*> all() const;

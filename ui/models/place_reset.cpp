@@ -91,9 +91,23 @@ bool PlaceReset::tones() const {
     return settings_.value(kTonesSetting, true).toBool();
 }
 
-void PlaceReset::reset() {
+void PlaceReset::stopCounting() {
     countdown_.end();
-    timer_.stop();
+    if (timer_.isActive()) {
+        timer_.stop();
+        emit changed();
+    }
+}
+
+void PlaceReset::endCountdown() {
+    if (!countdown_.runs())
+        return;
+    stopCounting();
+    emit said(tr("The countdown has ended. Heading and place stay."));
+}
+
+void PlaceReset::reset() {
+    stopCounting();
     if (const QString why = whyNot(); !why.isEmpty()) {
         Countdown::cue(tr("Heading and place were not reset"), tones());
         emit said(why);
@@ -112,12 +126,8 @@ void PlaceReset::reset() {
 }
 
 void PlaceReset::resetLater() {
-    if (countdown_.runs()) {
-        countdown_.end();
-        timer_.stop();
-        emit said(tr("The countdown has ended. Heading and place stay."));
-        return;
-    }
+    if (countdown_.runs())
+        return endCountdown();
     if (!whyNot().isEmpty())
         return reset();  // says so
     const int seconds = CountdownSetting::get().seconds();
@@ -125,13 +135,14 @@ void PlaceReset::resetLater() {
     counted_ = &suits_.current();
     countdown_.start(tones());
     timer_.start();
+    emit changed();
     emit said(tr("Heading and place are reset in %1\u00A0s. The same key ends the countdown.")
                   .arg(countdown_.seconds()));
 }
 
 void PlaceReset::look() {
     if (countdown_.runs() && counted_ != &suits_.current())
-        return resetLater();  // ends it: somebody else is looked at now
+        return endCountdown();  // somebody else is looked at now
     if (countdown_.look(tones()))
         reset();
 }

@@ -26,11 +26,13 @@ public:
     /// After the countdown of Record, so that a lone performer gets to the mark; while it runs, ends it.
     void resetLater();
     bool isCounting() const { return countdown_.runs(); }
+    /// As the same key does; nothing when none runs.
+    void endCountdown();
     /// At the countdown; a timer does so 30 times a second.
     void look();
 
 signals:
-    void changed();  ///< whyNot()
+    void changed();  ///< whyNot() or isCounting()
     void wasReset(const QString& who);
     /// Any body is shown elsewhere now: reset, taken back or done again.
     void moved();
@@ -41,6 +43,7 @@ signals:
 private:
     friend class PlaceStep;
     void follow();
+    void stopCounting();
     bool tones() const;
     void tellMoved(const QString& label);
 

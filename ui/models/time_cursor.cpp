@@ -59,6 +59,11 @@ void TimeCursor::setRange(double in_s, double out_s) {
     emit rangeChanged(in_s_, out_s_);
 }
 
+void TimeCursor::chooseRange(double in_s, double out_s) {
+    setRange(in_s, out_s);
+    emit rangeChosen();
+}
+
 void TimeCursor::setSpeed(double speed) {
     if (std::isnan(speed))
         return;

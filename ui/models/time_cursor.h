@@ -32,6 +32,8 @@ public:
 public slots:
     void setTime(double t_s);  ///< clamped
     void setRange(double in_s, double out_s);
+    /// At once by a command, not bit by bit as by a drag.
+    void chooseRange(double in_s, double out_s);
     void setSpeed(double speed);  ///< 0.1 .. 4, negative: backwards
     void setLoop(bool loops);
     void play();
@@ -43,6 +45,7 @@ public slots:
 signals:
     void timeChanged(double t_s);  ///< at most 60 times a second while playing
     void rangeChanged(double in_s, double out_s);
+    void rangeChosen();
     void extentChanged();
     void playingChanged(bool playing);
     void settingsChanged();  ///< speed, loop

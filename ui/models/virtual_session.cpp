@@ -7,6 +7,7 @@
 #include "core/job/atomic_file.h"
 #include "core/job/staged_progress.h"
 #include "core/processing/process_take.h"
+#include "ui/models/session_model.h"
 
 namespace noctule::ui {
 namespace {
@@ -66,7 +67,8 @@ Result<Session> newSession(const VirtualSessionRequest& request, const fs::path&
         return Error{ErrorKind::kDisk,
                      request.sessions_folder.string() + ": cannot be made: " + error.message(),
                      "Choose another folder for sessions in the preferences"};
-    auto session = createSession(folder, folder.filename().string(), request.created_utc);
+    auto session = createSession(folder, folder.filename().string(), request.created_utc,
+                                 SessionModel::firstPerformer().toStdString());
     if (!session)
         return session.error();
     session->unknown[kMark] = true;

@@ -190,12 +190,12 @@ void TransportBar::refreshEnabled() {
 
 void TransportBar::setIn() {
     TimeCursor& time = review_.time();
-    time.setRange(time.time(), std::max(time.time(), time.out()));
+    time.chooseRange(time.time(), std::max(time.time(), time.out()));
 }
 
 void TransportBar::setOut() {
     TimeCursor& time = review_.time();
-    time.setRange(std::min(time.in(), time.time()), time.time());
+    time.chooseRange(std::min(time.in(), time.time()), time.time());
 }
 
 void TransportBar::addMarker() {

@@ -52,16 +52,31 @@ void Keys::adopt(QAction& action, const QString& name, const QList<QKeySequence>
     adopted_.erase(
         std::remove_if(adopted_.begin(), adopted_.end(), [](const Adopted& one) { return !one.action; }),
         adopted_.end());
-    adopted_.push_back({&action, name, usual});
-    action.setShortcuts(keysInForce(name, usual));
+    adopted_.push_back({&action, name, usual, {}});
+    apply(adopted_.back());
 }
 
 void Keys::setUsual(QAction& action, const QList<QKeySequence>& usual) {
     for (Adopted& one : adopted_)
         if (one.action == &action) {
             one.usual = usual;
-            action.setShortcuts(keysInForce(one.name, usual));
+            apply(one);
         }
+}
+
+void Keys::restrict(QAction& action, std::function<bool(const QKeySequence&)> acts) {
+    for (Adopted& one : adopted_)
+        if (one.action == &action) {
+            one.acts = std::move(acts);
+            return apply(one);
+        }
+}
+
+void Keys::apply(const Adopted& one) {
+    QList<QKeySequence> keys = keysInForce(one.name, one.usual);
+    if (one.acts)
+        keys.erase(std::remove_if(keys.begin(), keys.end(), std::not_fn(one.acts)), keys.end());
+    one.action->setShortcuts(keys);
 }
 
 const Keys::Adopted* Keys::find(const QAction& action) const {
@@ -116,7 +131,7 @@ void Keys::restoreUsual() {
 void Keys::applyAll() {
     for (const Adopted& one : adopted_)
         if (one.action)
-            one.action->setShortcuts(keysInForce(one.name, one.usual));
+            apply(one);
     emit changed();
 }
 

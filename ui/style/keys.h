@@ -21,6 +21,9 @@ public:
     void adopt(QAction& action, const QString& name, const QList<QKeySequence>& usual);
     /// Other usual keys for an action that was adopted.
     void setUsual(QAction& action, const QList<QKeySequence>& usual);
+    /// `acts` says of each of the action's keys, also one of the operator's own, whether it acts; asked now
+    /// and whenever keys change.
+    void restrict(QAction& action, std::function<bool(const QKeySequence&)> acts);
     /// Empty for an action whose keys are fixed.
     QString nameOf(const QAction& action) const;
     /// The first key, for hints: known also before there is an action.
@@ -43,10 +46,12 @@ private:
         QPointer<QAction> action;
         QString name;
         QList<QKeySequence> usual;
+        std::function<bool(const QKeySequence&)> acts;  ///< empty: all do
     };
 
     Keys() = default;
     const Adopted* find(const QAction& action) const;
+    static void apply(const Adopted& one);
     void applyAll();
 
     std::vector<Adopted> adopted_;

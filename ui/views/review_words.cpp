@@ -195,6 +195,19 @@ ProblemWords lackProblem(const TakeVerdict& verdict) {
     return words;
 }
 
+ProblemWords gyroscopesProblem(const TakeVerdict& verdict) {
+    ProblemWords words;
+    words.title = verdict.sensors == "D"   ? Words::tr("Made of distances only")
+                  : verdict.sensors == "A" ? Words::tr("Made of accelerometers only")
+                                           : Words::tr("Made without gyroscopes");
+    words.text = Words::tr(
+        "No gyroscope was used, so the angles are guesses. Process the take with gyroscopes for a result to "
+        "work with.");
+    words.action = Words::tr("Process with gyroscopes");
+    words.processes = true;
+    return words;
+}
+
 ProblemWords lostInRestProblem(const TakeOverview& overview) {
     const TakeParty* party = overview.partyOf(overview.suit_in_view);
     const QString name = QString::fromStdString(party ? party->subject.name : overview.performer);
@@ -299,6 +312,9 @@ std::vector<ProblemWords> problemsInWords(const TakeVerdict& verdict, const Take
                 break;
             case VerdictReason::kNotCalibrated:
                 words = lackProblem(verdict);
+                break;
+            case VerdictReason::kNoGyroscopes:
+                words = gyroscopesProblem(verdict);
                 break;
             case VerdictReason::kResidual:
                 words = residualProblem(verdict, overview);

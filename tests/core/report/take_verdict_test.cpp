@@ -158,6 +158,24 @@ TEST_F(TakeVerdictTest, WithoutDistancesATakeIsUsableAtBest) {
     EXPECT_EQ(verdict().reasons, std::vector{VerdictReason::kSupport});
 }
 
+TEST_F(TakeVerdictTest, WithoutGyroscopesAnglesAreGuesses) {
+    for (const auto& [sensors, words] :
+         {std::pair{"D", "Made of distances alone"}, std::pair{"A", "Made of accelerometers alone"},
+          std::pair{"AD", "Made of accelerometers and distances"}}) {
+        report_.runs[0].sensors = sensors;
+        report_.runs[0].comparison.reset();
+        for (JointSupport& support : report_.support)
+            support.inertia = 0;  // and so told by nothing at times, which follows from it
+        EXPECT_EQ(verdict().grade, Grade::kNotUsable) << sensors;
+        EXPECT_EQ(verdict().reasons, std::vector{VerdictReason::kNoGyroscopes}) << sensors;
+        EXPECT_EQ(verdict().sensors, sensors);
+        ASSERT_EQ(judge(report_).reasons.size(), 1u) << sensors;
+        EXPECT_EQ(judge(report_).reasons[0].find(words), 0u) << judge(report_).reasons[0];
+        compare(2);
+        EXPECT_EQ(verdict().grade, Grade::kUsable) << sensors << ": never good";
+    }
+}
+
 TEST_F(TakeVerdictTest, LossyBoardsAreListedWorstFirst) {
     report_.boards[3].frames_lost = 280;
     report_.boards[7].frames_lost = 1400;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "tests/devices/live/fake_device.h"
 
 namespace noctule {
@@ -48,6 +50,20 @@ TEST(LiveProcessor, TellsNoTroubleWhenThereIsNone) {
     (*processor)->finish();
     EXPECT_EQ((*processor)->latest()->sample, 600);
     EXPECT_FALSE((*processor)->latest()->trouble);
+}
+
+TEST(LiveProcessor, ALostEstimateIsTold) {
+    const Pose rest = planOfTinyTake().actor.restPose();
+    EXPECT_FALSE(LiveProcessor::lossIn({})) << "nothing came";
+    EXPECT_FALSE(LiveProcessor::lossIn({{0, rest, {}}}));
+    Pose broken = rest;
+    broken.p_world_root.x() = std::numeric_limits<double>::quiet_NaN();
+    for (const std::optional<Pose>& last : {std::optional<Pose>(broken), std::optional<Pose>()}) {
+        const auto loss = LiveProcessor::lossIn({{0, rest, {}}, {1, last, {}}});
+        ASSERT_TRUE(loss);
+        EXPECT_EQ(loss->message, "the live estimate was lost: the data contradict each other");
+        EXPECT_FALSE(loss->remedy.empty());
+    }
 }
 
 }  // namespace

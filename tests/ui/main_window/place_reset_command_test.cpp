@@ -35,7 +35,13 @@ TEST_F(PlaceResetCommand, IsThereWhileABodyIsShownLiveAndIsTakenBack) {
     EXPECT_TRUE(studio_->placeReset().isCounting());
     later.trigger();
     EXPECT_FALSE(studio_->placeReset().isCounting());
+    later.trigger();
+    ASSERT_TRUE(studio_->placeReset().isCounting());
     studio_->suit().disconnectSuit();
+    EXPECT_FALSE(now.isEnabled());
+    ASSERT_TRUE(later.isEnabled()) << "a countdown that runs can always be ended";
+    later.trigger();
+    EXPECT_FALSE(studio_->placeReset().isCounting());
     EXPECT_FALSE(now.isEnabled() || later.isEnabled());
 }
 

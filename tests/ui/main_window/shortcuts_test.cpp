@@ -106,6 +106,48 @@ TEST_F(ShortcutsTest, AKeyThatTwoShareByDesignCanBeHadBack) {
     EXPECT_TRUE(command(Command::kOpenSession).shortcuts().contains(QKeySequence("Ctrl+O")));
 }
 
+TEST_F(ShortcutsTest, OpenHasItsKeyOnReviewOnceOutHasAnother) {
+    const QAction& open = command(Command::kOpenSession);
+    const QAction& out = ofPage(Step::kReview, "review/out");
+    EXPECT_TRUE(open.shortcuts().contains(QKeySequence("Ctrl+O")));
+    window_->goTo(Step::kReview);
+    EXPECT_EQ(open.shortcuts(), QList<QKeySequence>{QKeySequence("Ctrl+Shift+O")});
+    EXPECT_EQ(give(ofPage(Step::kReview, "review/out"), Qt::Key_U, Qt::ControlModifier), "");
+    EXPECT_TRUE(open.shortcuts().contains(QKeySequence("Ctrl+O"))) << "also while Review is shown";
+    EXPECT_EQ(give(ofPage(Step::kReview, "review/out"), Qt::Key_O, Qt::ControlModifier), "");
+    EXPECT_EQ(out.shortcut(), QKeySequence("Ctrl+O"));
+    EXPECT_FALSE(open.shortcuts().contains(QKeySequence("Ctrl+O")));
+    EXPECT_EQ(give(command(Command::kOpenSession), Qt::Key_K, Qt::ControlModifier), "");
+    EXPECT_EQ(give(command(Command::kOpenSession), Qt::Key_O, Qt::ControlModifier), "") << "its usual key";
+    window_->goTo(Step::kStart);
+    EXPECT_EQ(open.shortcut(), QKeySequence("Ctrl+O"));
+}
+
+TEST_F(ShortcutsTest, NoKeyLeadsToTheRobotWhileThereIsNone) {
+    QAction& robot = command(Command::kStepRobot);
+    Keys::get().choose("window/step_robot", QKeySequence("Ctrl+K"));
+    EXPECT_TRUE(robot.shortcuts().isEmpty());
+    const Step before = window_->step();
+    QTest::keyClick(window_.get(), Qt::Key_K, Qt::ControlModifier);
+    EXPECT_EQ(window_->step(), before);
+    window_->actions().setRobotShown(true);
+    EXPECT_EQ(robot.shortcuts(), QList<QKeySequence>{QKeySequence("Ctrl+K")});
+    window_->actions().setRobotShown(false);
+    EXPECT_TRUE(robot.shortcuts().isEmpty());
+}
+
+TEST_F(ShortcutsTest, TheUsualKeyCanBeHadBack) {
+    QAction& jobs = command(Command::kJobs);
+    EXPECT_EQ(give(jobs, Qt::Key_K, Qt::ControlModifier), "");
+    EXPECT_EQ(give(jobs, Qt::Key_J, Qt::ControlModifier), "");
+    EXPECT_EQ(jobs.shortcuts(), QList<QKeySequence>{QKeySequence("Ctrl+J")});
+    EXPECT_FALSE(QSettings().contains("keys/window/jobs")) << "it is no choice any more";
+    QAction& next = ofPage(Step::kReview, "review/next_frame");
+    EXPECT_EQ(give(next, Qt::Key_K), "");
+    EXPECT_EQ(give(next, Qt::Key_Right), "");
+    EXPECT_EQ(next.shortcut(), QKeySequence("Right"));
+}
+
 TEST_F(ShortcutsTest, AnOwnKeyGoesBeforeTheUsualKeyOfANewCommand) {
     Keys::get().choose("window/jobs", QKeySequence("Ctrl+K"));
     QAction fresh;

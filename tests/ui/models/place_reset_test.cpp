@@ -145,6 +145,31 @@ TEST_F(PlaceResetTest, ASuitThatLeavesDuringTheCountdownIsNotReset) {
     EXPECT_EQ(undoStack().count(), 0);
 }
 
+TEST_F(PlaceResetTest, TheCountdownEndsWhenSomebodyElseIsLookedAt) {
+    const TestBox second({.loops = true, .serial = "NB-000002"});
+    ASSERT_TRUE(connectSuit());
+    SuitInUse& first = suits_->current();
+    suits_->add(QString::fromStdString(second.address()));
+    const auto connected = [&] { return suits_->connected().size() == 2; };
+    ASSERT_TRUE(waitFor(connected));
+    SuitInUse& other = *suits_->connected().back();
+    ASSERT_NE(&first, &other);
+    suits_->setCurrent(first);
+    ASSERT_TRUE(showsBody());
+    place_->resetLater();
+    ASSERT_TRUE(place_->isCounting());
+    suits_->setCurrent(other);
+    QSignalSpy said(place_.get(), &PlaceReset::said);
+    place_->look();
+    EXPECT_FALSE(place_->isCounting());
+    ASSERT_EQ(said.count(), 1);
+    EXPECT_EQ(said[0][0].toString(), "The countdown has ended. Heading and place stay.");
+    now_ms_ += 60'000;
+    place_->look();
+    EXPECT_TRUE(*first.floor == FloorMove{} && *other.floor == FloorMove{});
+    EXPECT_EQ(undoStack().count(), 0);
+}
+
 TEST_F(PlaceResetTest, AnchorsOfTheRoomGiveHeadingAndPlace) {
     const TestBox room({.loops = true, .serial = "NB-000002", .drive_hz = 48000, .fixed = true});
     ASSERT_TRUE(connectSuit());

@@ -327,7 +327,9 @@ TEST_F(ConnectPageTest, FindingByMovingSaysWhatToDo) {
     AssignPanel& assigning = page_->assigning();
     QTest::mouseClick(assigning.findButton(), Qt::LeftButton);
     EXPECT_TRUE(assigning.isFinding());
-    EXPECT_TRUE(assigning.words().startsWith("Move one limb") || assigning.words().contains("moves"));
+    EXPECT_TRUE(assigning.words().startsWith("Move one limb"));
+    EXPECT_TRUE(assigning.words().endsWith("Listening for 0 s.")) << assigning.words().toStdString();
+    EXPECT_TRUE(waitFor([&] { return !assigning.words().contains("for 0 s"); })) << "seconds, or the board";
     QTest::mouseClick(assigning.findButton(), Qt::LeftButton);
     EXPECT_FALSE(assigning.isFinding());
 }

@@ -57,5 +57,19 @@ TEST_F(PlaceResetView, TheButtonSaysWhyItIsGreyAndTheTakesListTellsOfIt) {
     ASSERT_TRUE(waitFor([this] { return session().takes.size() == 1; }));
 }
 
+TEST_F(PlaceResetView, EscEndsTheCountdownAlsoOnceTheSuitIsGone) {
+    studio_->settings().setValue("record/tones", false);
+    const noctule::test::TestBox box({.loops = true});
+    ASSERT_TRUE(connectTo(box));
+    PlaceReset& place = studio_->placeReset();
+    ASSERT_TRUE(waitFor([&] { return place.whyNot().isEmpty(); }));
+    place.resetLater();
+    ASSERT_TRUE(place.isCounting());
+    studio_->suit().disconnectSuit();
+    ASSERT_FALSE(place.whyNot().isEmpty());
+    QTest::keyClick(page_.get(), Qt::Key_Escape);
+    EXPECT_FALSE(place.isCounting());
+}
+
 }  // namespace
 }  // namespace noctule::ui

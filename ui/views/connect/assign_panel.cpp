@@ -3,6 +3,7 @@
 
 #include <QSignalBlocker>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "core/session/placement.h"
 #include "ui/models/part_names.h"
@@ -15,6 +16,8 @@
 
 namespace noctule::ui {
 namespace {
+
+constexpr int kLongSearch_s = 10;  ///< without a find: the reason is told
 
 /// Each gets the place of the other.
 void exchangePlaces(Board& a, Board& b) {
@@ -122,7 +125,7 @@ void AssignPanel::showSuit() {
     if (!isFinding())
         explained_->setText(tr("Drag a board onto a body part, or press Find and move the limb."));
     else if (found_ < 0)
-        explained_->setText(tr("Move one limb, the end of it most, and keep all others still."));
+        explained_->setText(listeningWords());
     else
         explained_->setText(tr("Board %1 moves. Which body part is it?").arg(found_ + 1));
     const int chosen = segments_->currentIndex();
@@ -132,16 +135,30 @@ void AssignPanel::showSuit() {
     segments_->setCurrentIndex(found_ >= 0 ? found_ : chosen);
 }
 
+QString AssignPanel::listeningWords() const {
+    const QString what = tr("Move one limb, the end of it most, and keep all others still.");
+    const QString heard = tr("Listening for %n s.", nullptr, heard_s_);
+    if (heard_s_ < kLongSearch_s)
+        return what + ' ' + heard;
+    return tr("No board moves more than all others yet. Turn the limb faster; a board that stays silent is "
+              "not found.") +
+           ' ' + heard;
+}
+
 QString AssignPanel::words() const {
     return explained_->text();
 }
 
 void AssignPanel::find(bool on) {
     found_ = -1;
+    heard_s_ = 0;
+    first_sample_.reset();
     finder_.reset();
     const auto hello = capture_.suit().status()->hello;
-    if (on && hello)
+    if (on && hello) {
+        sample_rate_hz_ = hello->sample_rate_hz;
         finder_ = std::make_unique<MovingBoard>(capture_.suit().suit(), hello->sample_rate_hz);
+    }
     emit boardFound(-1);
     showSuit();
 }
@@ -153,6 +170,11 @@ void AssignPanel::listen() {
     for (const auto& reading : frame->readings)
         if (reading)
             finder_->add(*reading);
+    if (!first_sample_)
+        first_sample_ = frame->sample;
+    const int heard_s = static_cast<int>((frame->sample - *first_sample_) / sample_rate_hz_);
+    if (std::exchange(heard_s_, heard_s) != heard_s && found_ < 0)
+        explained_->setText(listeningWords());
     const std::optional<int> moves = finder_->found();
     if (!moves || *moves == found_)
         return;

@@ -6,6 +6,7 @@
 #include <QComboBox>
 #include <QWidget>
 #include <memory>
+#include <optional>
 
 #include "core/live/moving_board.h"
 #include "ui/models/capture_context.h"
@@ -41,6 +42,7 @@ private:
     void showPerformers();
     std::string wearer() const;
     void showSuit();
+    QString listeningWords() const;
     void find(bool on);
     void listen();
     void assign();
@@ -52,6 +54,8 @@ private:
     QWidget* found_row_;
     std::unique_ptr<MovingBoard> finder_;
     int found_ = -1;
+    int heard_s_ = 0, sample_rate_hz_ = 1;  ///< while it listens
+    std::optional<int64_t> first_sample_;
 };
 
 }  // namespace noctule::ui

@@ -119,7 +119,7 @@ void ReadinessPanel::showWaysWithoutSuit() {
     found_address_ = found ? QString::fromStdString(found->device.address) : QString();
     connect_->setVisible(found.has_value());
     if (found)
-        connect_->setText(tr("Connect %1").arg(found->name));
+        connect_->setText(tr("Connect %1").arg(found->shownName()));
     const bool is_available = capture_.virtualSuit().isAvailable();
     start_virtual_->setVisible(is_available && !found);
     start_virtual_beside_->setVisible(is_available && found);

@@ -7,17 +7,19 @@
 
 namespace noctule::ui {
 
+class PlaceReset;
 class RecordPage;
 
 class RecordActions : public PageActions {
     Q_OBJECT
 public:
-    explicit RecordActions(RecordPage& page);
+    RecordActions(RecordPage& page, PlaceReset& place);
 
 private:
     void refresh();
 
     RecordPage& page_;
+    PlaceReset& place_;
     QAction *record_ = nullptr, *end_countdown_ = nullptr, *marker_ = nullptr, *note_ = nullptr;
 };
 

@@ -36,7 +36,7 @@ RecordPage::RecordPage(Studio& studio, QWidget* parent)
         for (QScrollArea* area : dock->findChildren<QScrollArea*>())
             area->installEventFilter(this);
     }
-    actions_ = new RecordActions(*this);
+    actions_ = new RecordActions(*this, studio.placeReset());
     connect(&run_, &RecordRun::changed, this, &RecordPage::refresh);
     connect(&center_->bar(), &RecordBar::fieldLeft, this, [this] { setFocus(); });
     connect(&center_->scene(), &SceneView::frameDrawn, this, [this] {

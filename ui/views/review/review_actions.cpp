@@ -55,7 +55,7 @@ void ReviewActions::addRange() {
     add("review/go_to_in", tr("Go to in"), Qt::Key_Home, [&time] { time.setTime(time.in()); });
     add("review/go_to_out", tr("Go to out"), Qt::Key_End, [&time] { time.setTime(time.out()); });
     add("review/whole_range", tr("In and out at the ends"), {},
-        [&time] { time.setRange(0, time.duration()); });
+        [&time] { time.chooseRange(0, time.duration()); });
     add("review/marker", tr("Marker here"), Qt::Key_M, [&transport] { transport.addMarker(); });
     Timeline& timeline = page_.center().timeline();
     name_marker_ =

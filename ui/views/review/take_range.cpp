@@ -4,6 +4,7 @@
 #include <QScopedValueRollback>
 #include <cmath>
 
+#include "ui/style/words.h"
 #include "ui/views/open_take.h"
 
 namespace noctule::ui {
@@ -27,6 +28,7 @@ TakeRange::TakeRange(ReviewContext& review, QObject* parent) : QObject(parent), 
         if (!reading_)
             pause_.start();
     });
+    connect(&review.time(), &TimeCursor::rangeChosen, this, &TakeRange::choose);
     connect(&review.take(), &TakeDocument::opened, this, [this] {
         pause_.stop();  // the new take's whole extent is no choice of the operator
         read();
@@ -45,6 +47,14 @@ void TakeRange::read() {
     const QScopedValueRollback<bool> quiet(reading_, true);
     if (!same(take.in_s, time.in()) || !same(out_s, time.out()))
         time.setRange(take.in_s, out_s);
+}
+
+/// A step of its own, which can be taken back at once, and is told.
+void TakeRange::choose() {
+    pause_.stop();
+    write();
+    const TimeCursor& time = review_.time();
+    review_.shared().say(tr("In is at %1, out at %2.").arg(timeText(time.in(), 2), timeText(time.out(), 2)));
 }
 
 void TakeRange::write() {

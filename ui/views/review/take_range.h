@@ -17,6 +17,7 @@ public:
 
 private:
     void read();
+    void choose();
     void write();
 
     ReviewContext& review_;
