@@ -16,13 +16,14 @@ bool takeNumbers(UnnamedFile& file, Eigen::VectorXd& numbers) {
     return whole && file.takeBytes(numbers.data(), sizeof(double) * static_cast<size_t>(size));
 }
 
+/// Of a pull only the states that it pulls: what turns with the heading is left out when it is made again.
 void putBlock(UnnamedFile& file, const ObservationBlock& block) {
     file.put(block.origin.kind);
     file.put(block.origin.index);
     putNumbers(file, block.origin.target);
     putNumbers(file, block.variance);
     if (block.origin.kind == ObservationOrigin::Kind::kPull)
-        file.putBytes(block.columns.data(), sizeof(int) * block.columns.size());
+        file.putBytes(block.columns.data(), sizeof(int) * static_cast<size_t>(block.rows()));
 }
 
 bool takeBlock(UnnamedFile& file, ObservationBlock& block) {
