@@ -3,6 +3,7 @@
 
 #include <QGridLayout>
 #include <initializer_list>
+#include <utility>
 
 #include "ui/style/words.h"
 #include "ui/views/scaled_layout.h"
@@ -30,6 +31,9 @@ MeasureMeter::MeasureMeter(Form form)
 }
 
 void MeasureMeter::setForm(Form form) {
+    bar_->setMinimumWidth(form == Form::kLine ? Theme::get().px(kLineBar) : 0);
+    if (std::exchange(form_, form) == form)
+        return;
     for (QWidget* part : std::initializer_list<QWidget*>{icon_, name_, value_, bar_})
         grid_->removeWidget(part);
     grid_->addWidget(icon_, 0, 0);
@@ -43,7 +47,6 @@ void MeasureMeter::setForm(Form form) {
         grid_->addWidget(bar_, 0, kColumns - 1, Qt::AlignVCenter);
     else
         grid_->addWidget(bar_, 2, 0, 1, kColumns);
-    bar_->setMinimumWidth(is_line ? Theme::get().px(kLineBar) : 0);
 }
 
 int MeasureMeter::widthBeside() const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QWidget>
+#include <optional>
 
 #include "ui/wizards/wizard_words.h"
 
@@ -34,6 +35,7 @@ private:
     Label *name_, *value_;
     BarMeter* bar_;
     QGridLayout* grid_;
+    std::optional<Form> form_;
 };
 
 }  // namespace noctule::ui

@@ -117,6 +117,7 @@ void WizardLive::setRun(WizardRun* run) {
     connect(run, &WizardRun::changed, this, &WizardLive::refresh);
     connect(run, &WizardRun::guided, this, &WizardLive::refresh);
     dressed_for_.reset();
+    shown_step_ = -1;
     refresh();
 }
 
