@@ -5695,6 +5695,17 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
 </context>
 <context>
+    <name>noctule::ui::PanelTab</name>
+    <message>
+        <source>Show the panel %1</source>
+        <translation>Das Feld %1 zeigen</translation>
+    </message>
+    <message>
+        <source>%1: folded away because large text or a small window leaves it no room. A click shows it.</source>
+        <translation>%1: weggeklappt, weil große Schrift oder ein kleines Fenster ihm keinen Platz lässt. Ein Klick zeigt es.</translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::PerformerButtons</name>
     <message>
         <source>Show %1</source>

@@ -5,10 +5,10 @@
 #include <QStackedWidget>
 #include <QTimer>
 #include <QToolBar>
-#include <QVBoxLayout>
 
 #include "ui/main_window/jobs_panel.h"
 #include "ui/main_window/pages.h"
+#include "ui/main_window/panel_tab.h"
 #include "ui/main_window/panel_walk.h"
 #include "ui/main_window/session_notices.h"
 #include "ui/main_window/side_docks.h"
@@ -20,6 +20,7 @@
 #include "ui/scene/scene_canvas.h"
 #include "ui/style/theme.h"
 #include "ui/views/page.h"
+#include "ui/views/scaled_layout.h"
 #include "ui/views/window_place.h"
 
 namespace noctule::ui {
@@ -99,23 +100,30 @@ void MainWindow::buildParts() {
     top_bar_->fold(menus_->all());
     setMenuWidget(top_bar_);
 
-    auto* centre = new Backdrop;
-    auto* column = new QVBoxLayout(centre);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    notices_ = new Notices;
-    session_notices_ = new SessionNotices(studio_, *notices_, this);
-    stack_ = new PageStack;
-    column->addWidget(notices_);
-    column->addWidget(stack_, 1);
-    setCentralWidget(centre);
-
     docks_ = new SideDocks(*this, studio_.settings());
     menus_->addPanels({&docks_->left(), &docks_->right()});
+    setCentralWidget(makeCentre());
 
     status_ = new StatusLine(studio_);
     addBottomLine();
     jobs_panel_ = new JobsPanel(studio_.jobs(), this);
+}
+
+/// Notices above the page, between the tabs of docks that gave it their room.
+QWidget* MainWindow::makeCentre() {
+    notices_ = new Notices;
+    session_notices_ = new SessionNotices(studio_, *notices_, this);
+    stack_ = new PageStack;
+    middle_ = new QWidget;
+    auto* column = makeColumn(middle_);
+    column->addWidget(notices_);
+    column->addWidget(stack_, 1);
+    auto* centre = new Backdrop;
+    auto* row = makeRow(centre);
+    row->addWidget(&docks_->leftTab());
+    row->addWidget(middle_, 1);
+    row->addWidget(&docks_->rightTab());
+    return centre;
 }
 
 /// As a tool bar and not as QStatusBar, which adds margins that cannot be taken off.
@@ -214,8 +222,9 @@ void MainWindow::keepFocusOnPage(QWidget* before, QWidget* now) {
 }
 
 void MainWindow::focusNextPanel(bool forward) {
-    QList<QWidget*> panels{top_bar_, &docks_->left(), centralWidget(), &docks_->right(), status_};
-    walkPanels(panels, forward);
+    walkPanels({top_bar_, &docks_->left(), &docks_->leftTab(), middle_, &docks_->right(), &docks_->rightTab(),
+                status_},
+               forward);
 }
 
 }  // namespace noctule::ui

@@ -77,6 +77,7 @@ protected:
 
 private:
     void buildParts();
+    QWidget* makeCentre();
     void addBottomLine();
     void connectActions();
     void connectSteps();
@@ -120,6 +121,7 @@ private:
     SideDocks* docks_;
     Notices* notices_;
     SessionNotices* session_notices_;
+    QWidget* middle_;  ///< notices and page
     QStackedWidget* stack_;
     StatusLine* status_;
     JobsPanel* jobs_panel_;

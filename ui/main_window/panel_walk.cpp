@@ -11,8 +11,10 @@ bool takesKeyboard(const QWidget& widget) {
            !widget.focusProxy();
 }
 
-/// In the order of the Tab key, the first that can have the focus.
+/// The panel itself, or in the order of the Tab key the first part of it that can have the focus.
 QWidget* firstIn(QWidget& panel) {
+    if (takesKeyboard(panel))
+        return &panel;
     QWidget* widget = panel.nextInFocusChain();
     for (; widget && widget != &panel; widget = widget->nextInFocusChain())
         if (panel.isAncestorOf(widget) && takesKeyboard(*widget))

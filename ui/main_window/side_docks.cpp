@@ -2,12 +2,13 @@
 #include "ui/main_window/side_docks.h"
 
 #include <QAction>
+#include <QCoreApplication>
 #include <QStackedWidget>
 #include <QTimer>
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
+#include "ui/main_window/panel_tab.h"
 #include "ui/style/theme.h"
 #include "ui/views/page.h"
 #include "ui/views/scaled_layout.h"
@@ -21,6 +22,7 @@ constexpr int kLayoutVersion = 1;
 constexpr const char *kScaleKey = "_scale", *kGaveRoomKey = "_gave_room";
 constexpr int kLeftWidth = 248, kLeftNarrow = 216, kLeftWidest = 360;
 constexpr int kRightWidth = 295, kRightNarrow = 264, kRightWidest = 400;
+constexpr int kTries = 4, kBetweenTries_ms = 40;
 constexpr int kNarrowWindow = 1400, kLeastForBothDocks = 1100;
 
 QString nameOf(Step step) {
@@ -53,11 +55,11 @@ SideDocks::SideDocks(QMainWindow& window, QSettings& settings)
       window_(window),
       settings_(settings),
       left_(makeSide(Qt::LeftDockWidgetArea, "left", tr("Left panel"))),
-      right_(makeSide(Qt::RightDockWidgetArea, "right", tr("Right panel"))),
-      scale_(Theme::get().scale()) {
-    connect(&Theme::get(), &Theme::changed, this, [this] {
-        resizeBoth(Theme::get().scale() / std::exchange(scale_, Theme::get().scale()));
+      right_(makeSide(Qt::RightDockWidgetArea, "right", tr("Right panel"))) {
+    connect(&Theme::get(), &Theme::changed, this, [this, scale = Theme::get().scale()]() mutable {
         makeRoom();
+        if (std::exchange(scale, Theme::get().scale()) != scale)
+            resizeToUsual(kTries);
     });
     connect(left_.action, &QAction::triggered, this, [this] { preferTo(*right_.dock); });
     connect(right_.action, &QAction::triggered, this, [this] { preferTo(*left_.dock); });
@@ -92,6 +94,11 @@ SideDocks::Side SideDocks::makeSide(Qt::DockWidgetArea area, const QString& name
     connect(hide, &QToolButton::clicked, side.dock, &QDockWidget::close);
     side.action = side.dock->toggleViewAction();
     side.action->setText(words);
+    side.tab = new PanelTab(left ? PanelTab::Edge::kLeft : PanelTab::Edge::kRight, &window_);
+    connect(side.tab, &QAbstractButton::clicked, this, [action = side.action, stack = side.stack] {
+        action->trigger();
+        stack->currentWidget()->setFocus(Qt::OtherFocusReason);
+    });
     window_.addDockWidget(area, side.dock);
     side.dock->hide();
     return side;
@@ -105,7 +112,7 @@ void SideDocks::keep() {
     if (!page_)
         return;
     settings_.setValue(key(), window_.saveState(kLayoutVersion));
-    settings_.setValue(key() + kScaleKey, scale_);
+    settings_.setValue(key() + kScaleKey, Theme::get().scale());
     settings_.setValue(key() + kGaveRoomKey, gave_room_ ? gave_room_->objectName() : QString());
 }
 
@@ -136,6 +143,7 @@ void SideDocks::fill(const Side& side, QWidget* content, const QString& title) {
     side.stack->updateGeometry();
     content->show();
     side.title->setTitle(title);
+    side.tab->setTitle(title);
     side.dock->setWindowTitle(title);
 }
 
@@ -150,26 +158,25 @@ void SideDocks::restore() {
     right_.dock->setVisible(!right_.dock->isHidden() && page_->rightDock());
     const QString gave_room = settings_.value(key() + kGaveRoomKey).toString();
     gave_room_ = gave_room.isEmpty() ? nullptr : gave_room == "left" ? left_.dock : right_.dock;
-    resizeBoth(scale_ / settings_.value(key() + kScaleKey, scale_).toDouble());
     makeRoom();
+    const double scale = Theme::get().scale();
+    if (settings_.value(key() + kScaleKey, scale).toDouble() != scale)
+        resizeToUsual(kTries);
 }
 
 void SideDocks::reset() {
     for (const QString& written : {key(), key() + kScaleKey, key() + kGaveRoomKey})
         settings_.remove(written);
-    const Theme& theme = Theme::get();
-    const bool narrow = window_.width() < theme.px(kNarrowWindow);
-    const auto place = [&](const Side& side, Qt::DockWidgetArea area, bool used, int width) {
+    const auto place = [&](const Side& side, Qt::DockWidgetArea area, bool used) {
         side.dock->setFloating(false);
         window_.addDockWidget(area, side.dock);
         side.dock->setVisible(used);
-        if (used)
-            window_.resizeDocks({side.dock}, {theme.px(width)}, Qt::Horizontal);
     };
     gave_room_ = page_->leftDock() && !hasRoomForBoth() ? left_.dock : nullptr;
-    place(left_, Qt::LeftDockWidgetArea, page_->leftDock() && !gave_room_, narrow ? kLeftNarrow : kLeftWidth);
-    place(right_, Qt::RightDockWidgetArea, page_->rightDock() != nullptr,
-          narrow ? kRightNarrow : kRightWidth);
+    place(left_, Qt::LeftDockWidgetArea, page_->leftDock() && !gave_room_);
+    place(right_, Qt::RightDockWidgetArea, page_->rightDock() != nullptr);
+    showTabs();
+    resizeToUsual(kTries);
 }
 
 bool SideDocks::hasRoomForBoth() const {
@@ -195,6 +202,7 @@ void SideDocks::makeRoom() {
     if (areBothSeen() && centre->width() < centre->minimumSizeHint().width())
         window_.resizeDocks({left_.dock, right_.dock},
                             {Theme::get().px(kLeftNarrow), Theme::get().px(kRightNarrow)}, Qt::Horizontal);
+    showTabs();
 }
 
 void SideDocks::preferTo(QDockWidget& other) {
@@ -202,6 +210,7 @@ void SideDocks::preferTo(QDockWidget& other) {
         gave_room_ = nullptr;  // the operator has decided about it
     if (page_ && !hasRoomForBoth() && areBothSeen())
         giveRoom(other);
+    showTabs();
 }
 
 void SideDocks::giveRoom(QDockWidget& dock) {
@@ -209,25 +218,32 @@ void SideDocks::giveRoom(QDockWidget& dock) {
     gave_room_ = &dock;
 }
 
-void SideDocks::resizeBoth(double factor) {
-    if (factor == 1 || !(factor > 0.4 && factor < 2.5))  // or what is kept is damaged
-        return;
-    const Theme& theme = Theme::get();
-    const bool narrow = window_.width() < theme.px(kNarrowWindow);
-    QList<QDockWidget*> docks;
-    QList<int> widths;
-    const auto add = [&](const Side& side, int narrow_width) {
-        if (side.dock->isHidden() || side.dock->isFloating())
-            return;
-        docks += side.dock;
-        widths +=
-            narrow ? theme.px(narrow_width) : static_cast<int>(std::lround(side.dock->width() * factor));
+void SideDocks::showTabs() {
+    for (const Side& side : {left_, right_})
+        side.tab->setVisible(gave_room_ == side.dock && side.dock->isHidden());
+}
+
+/// What they hold may take a while to know its new size.
+void SideDocks::resizeToUsual(int tries) {
+    const auto resize = [this, tries] {
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+        const Theme& theme = Theme::get();
+        const bool narrow = window_.width() < theme.px(kNarrowWindow);
+        QList<QDockWidget*> docks;
+        QList<int> widths;
+        const auto add = [&](const Side& side, int width) {
+            if (side.dock->isHidden() || side.dock->isFloating())
+                return;
+            docks += side.dock;
+            widths += theme.px(width);
+        };
+        add(left_, narrow ? kLeftNarrow : kLeftWidth);
+        add(right_, narrow ? kRightNarrow : kRightWidth);
+        window_.resizeDocks(docks, widths, Qt::Horizontal);
+        if (tries > 1)
+            resizeToUsual(tries - 1);
     };
-    add(left_, kLeftNarrow);
-    add(right_, kRightNarrow);
-    // What they hold has its new size then.
-    QTimer::singleShot(0, this,
-                       [this, docks, widths] { window_.resizeDocks(docks, widths, Qt::Horizontal); });
+    QTimer::singleShot(tries == kTries ? 0 : kBetweenTries_ms, this, resize);
 }
 
 void SideDocks::release(Page& page) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The docks left and right of the page. Each page brings its own content; where the docks stand, how wide
-// they are and whether they float is kept per step and comes back with it.
+// they are and whether they float is kept per step and comes back with it. Another size of text brings the
+// usual widths.
 #pragma once
 
 #include <QDockWidget>
@@ -17,6 +18,7 @@ namespace noctule::ui {
 class Page;
 class ToolButton;
 class DockTitle;
+class PanelTab;
 
 class SideDocks : public QObject {
     Q_OBJECT
@@ -34,6 +36,9 @@ public:
 
     QDockWidget& left() { return *left_.dock; }
     QDockWidget& right() { return *right_.dock; }
+    /// At the window's edges, seen while their dock has given its room to the page.
+    PanelTab& leftTab() { return *left_.tab; }
+    PanelTab& rightTab() { return *right_.tab; }
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -44,6 +49,7 @@ private:
         QStackedWidget* stack;
         DockTitle* title;
         QAction* action;
+        PanelTab* tab;
     };
     Side makeSide(Qt::DockWidgetArea area, const QString& name, const QString& words);
     void fill(const Side& side, QWidget* content, const QString& title);
@@ -51,12 +57,15 @@ private:
     bool hasRoomForBoth() const;
     bool areBothSeen() const;
     /// With large type or in a small window the page itself needs the room: one dock goes, usually the left
-    /// one, and comes back when there is room again. Where both stay they may not cut the page.
+    /// one, leaves a tab at the edge, and comes back when there is room again. Where both stay they may not
+    /// cut the page.
     void makeRoom();
     /// The operator wants to see this one: without room for both, the other one goes.
     void preferTo(QDockWidget& other);
     void giveRoom(QDockWidget& dock);
-    void resizeBoth(double factor);
+    void showTabs();
+    /// As wide as the style guide says, at the present size of text.
+    void resizeToUsual(int tries);
     QString key() const;
 
     QMainWindow& window_;
@@ -64,7 +73,6 @@ private:
     Side left_, right_;
     Step step_ = Step::kStart;
     Page* page_ = nullptr;
-    double scale_;                     ///< of type, that the docks' widths are for
     QPointer<QDockWidget> gave_room_;  ///< comes back when there is room for both
 };
 

@@ -161,13 +161,14 @@ void Theme::apply() {
                                                              : dark_      ? ColorSet::kDark
                                                                           : ColorSet::kLight);
     confidence_ = confidenceRamp(tokens_.confidence);
-    // A new style makes every widget ask for its sizes again.
+    // The font first: a new style makes every widget ask for its sizes again, and combo boxes keep the least
+    // size of the font that they then have.
+    application_.setFont(font(TextRole::kBody));
     application_.setStyle(new StudioStyle(*this));
     QPalette palette = paletteOf(tokens_);
     application_.setPalette(palette);
     palette.setColor(QPalette::Base, tokens_.panel);
     application_.setPalette(palette, "QAbstractItemView");
-    application_.setFont(font(TextRole::kBody));
     emit changed();
 }
 

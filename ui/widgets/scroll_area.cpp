@@ -19,6 +19,7 @@ ScrollArea::ScrollArea(QWidget* content, QWidget* parent) : QScrollArea(parent) 
     setFocusPolicy(Qt::NoFocus);
     viewport()->setAutoFillBackground(false);
     connect(qApp, &QApplication::focusChanged, this, &ScrollArea::follow);
+    connect(&Theme::get(), &Theme::changed, this, [this] { is_outdated_ |= !isVisible(); });
     if (content) {
         setWidget(content);
         content->setAutoFillBackground(false);
@@ -38,9 +39,21 @@ bool ScrollArea::focusNextPrevChild(bool next) {
 
 void ScrollArea::showEvent(QShowEvent* event) {
     is_just_shown_ = true;
+    if (std::exchange(is_outdated_, false))
+        askAllSizes();
     QMetaObject::invokeMethod(
         this, [this] { is_just_shown_ = false; }, Qt::QueuedConnection);
     QScrollArea::showEvent(event);
+}
+
+/// Layouts that are not seen tell nobody of another size, and the area would stay as wide as with larger
+/// text.
+void ScrollArea::askAllSizes() {
+    if (!widget())
+        return;
+    for (QLayout* layout : widget()->findChildren<QLayout*>())
+        layout->invalidate();
+    updateGeometry();
 }
 
 QSize ScrollArea::sizeHint() const {

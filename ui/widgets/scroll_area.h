@@ -29,8 +29,11 @@ private:
     void follow(QWidget* before, QWidget* now);
     void fitContent();
 
+    void askAllSizes();
+
     bool is_just_shown_ = false;
-    bool is_fitted_ = false;  ///< the content's least height is of fitContent()
+    bool is_outdated_ = false;  ///< the theme changed while nobody saw it
+    bool is_fitted_ = false;    ///< the content's least height is of fitContent()
 };
 
 }  // namespace noctule::ui

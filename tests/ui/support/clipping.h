@@ -14,6 +14,7 @@
 #include <QLabel>
 #include <QLayout>
 #include <QLineEdit>
+#include <QListView>
 #include <QMainWindow>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -88,6 +89,9 @@ private:
             const int needed = line->fontMetrics().horizontalAdvance(line->placeholderText());
             if (line->text().isEmpty() && needed > line->width() - 4)
                 tell(widget, line->placeholderText(), needed, line->width() - 4);
+        } else if (const auto* list = qobject_cast<const QListView*>(&widget);
+                   list && list->horizontalScrollBar()->maximum() > 0) {
+            tell(widget, {}, list->sizeHintForColumn(0), list->viewport()->width());
         }
     }
 

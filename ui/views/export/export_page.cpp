@@ -7,7 +7,9 @@
 #include <QFileInfo>
 #include <QInputDialog>
 #include <QKeyEvent>
+#include <QScrollBar>
 #include <QStorageInfo>
+#include <QTimer>
 #include <iterator>
 
 #include "core/job/atomic_file.h"
@@ -32,7 +34,7 @@ namespace noctule::ui {
 
 namespace {
 constexpr int kForm = 372, kBothSides = 780, kTakes = 640;
-constexpr int kMostNames = 3, kTakeRows = 6, kTakeRowsBelow = 2;
+constexpr int kMostNames = 3;
 }  // namespace
 
 ExportPage::ExportPage(ReviewContext& review, QWidget* parent)
@@ -51,24 +53,7 @@ ExportPage::ExportPage(ReviewContext& review, QWidget* parent)
     setDockTitles(tr("Made for"), {});
     setFocusPolicy(Qt::ClickFocus);
     auto* column = makeColumn(this);
-    auto* sides = new QWidget;
-    sides_ = makeRow(sides);
-    QHBoxLayout* row = sides_;
-    auto* scroll = new ScrollArea(form_);
-    keepMinimumWidth(*scroll, kForm);
-    scroll->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
-    row->addWidget(scroll);
-    row->addWidget(between_ = new Divider(Qt::Vertical));
-    auto* right = new QWidget;
-    row->addWidget(right, 1);
-    auto* right_column = makeColumn(right);
-    auto* takes = addRow(right_column, 0);
-    takes->addWidget(form_->takesPart(), 1000);
-    takes->addStretch(1);
-    keepMaximumWidth(*form_->takesPart(), kTakes);
-    right_column->addWidget(new Divider);
-    right_column->addWidget(results_panel_, 1);
-    column->addWidget(sides, 1);
+    column->addWidget(makeSides(), 1);
     column->addWidget(new Divider);
     column->addWidget(makeFoot());
 
@@ -99,6 +84,31 @@ ExportPage::ExportPage(ReviewContext& review, QWidget* parent)
     form_->setTypedName(presets_.keptName());
     form_->setSettings(presets_.all()[static_cast<size_t>(presets_.indexOf(presets_.lastChosen()))].settings);
     refresh();
+}
+
+QWidget* ExportPage::makeSides() {
+    auto* scrolled = new QWidget;
+    below_form_ = makeColumn(scrolled);
+    auto* form = addRow(below_form_, 0);
+    form->addWidget(form_, 1000);
+    form->addStretch(1);
+    keepMaximumWidth(*form_, kTakes);
+    takes_side_ = new QWidget;
+    auto* column = makeColumn(takes_side_);
+    auto* takes = addRow(column, 0);
+    takes->addWidget(form_->takesPart(), 1000);
+    takes->addStretch(1);
+    keepMaximumWidth(*form_->takesPart(), kTakes);
+    column->addWidget(new Divider);
+    column->addWidget(results_panel_, 1);
+    auto* sides = new QWidget;
+    sides_ = makeRow(sides);
+    scroll_ = new ScrollArea(scrolled);
+    keepMinimumWidth(*scroll_, kForm);
+    sides_->addWidget(scroll_);
+    sides_->addWidget(between_ = new Divider(Qt::Vertical));
+    sides_->addWidget(takes_side_, 1);
+    return sides;
 }
 
 QWidget* ExportPage::makeFoot() {
@@ -296,6 +306,7 @@ void ExportPage::present(const Result<ExportResults>& results, bool is_trial) {
     if (results) {
         noteDamage(*results);
         results_panel_->setResults(*results, is_trial);
+        QTimer::singleShot(0, this, &ExportPage::scrollToResults);  // laid out by then
         if (!is_trial) {
             results_ = *results;
             written_ = started_;
@@ -355,19 +366,35 @@ void ExportPage::removeOwnPreset(const QString& key) {
     preset_list_->choose(presets_.all().front().key);
 }
 
-/// Without room for both sides the takes and the written files stand below the form, which gets the room.
 void ExportPage::resizeEvent(QResizeEvent* event) {
     placeSides();
     Page::resizeEvent(event);
 }
 
+/// Without room for both sides the takes and the written files stand below the form and scroll with it.
 void ExportPage::placeSides() {
     const bool beside = width() >= Theme::get().px(kBothSides);
-    sides_->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
-    sides_->setStretch(0, beside ? 0 : 1);
-    sides_->setStretch(2, beside ? 1 : 0);
+    if (beside == areBeside())
+        return;
+    if (beside)
+        sides_->addWidget(takes_side_, 1);
+    else
+        below_form_->addWidget(takes_side_, 1);
     between_->setVisible(beside);
-    form_->takeList().setMostRows(beside ? kTakeRows : kTakeRowsBelow);
+    results_panel_->setScrolls(beside);
+    scroll_->setSizePolicy(beside ? QSizePolicy::Fixed : QSizePolicy::Expanding, QSizePolicy::Expanding);
+}
+
+bool ExportPage::areBeside() const {
+    return sides_->indexOf(takes_side_) >= 0;
+}
+
+/// Below the form they would be out of sight.
+void ExportPage::scrollToResults() {
+    if (areBeside())
+        return;
+    QWidget* content = scroll_->widget();
+    scroll_->verticalScrollBar()->setValue(results_panel_->mapTo(content, QPoint()).y());
 }
 
 void ExportPage::keyPressEvent(QKeyEvent* event) {

@@ -9,7 +9,7 @@
 #include "ui/views/export/export_settings.h"
 #include "ui/views/page.h"
 
-class QHBoxLayout;
+class QBoxLayout;
 
 namespace noctule::ui {
 
@@ -19,6 +19,7 @@ class ExportPresetList;
 class ExportResultsPanel;
 class JobProgress;
 class Label;
+class ScrollArea;
 
 /// On small screens and with large type the takes and the written files stand below the form, which scrolls.
 class ExportPage : public Page {
@@ -52,8 +53,11 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    QWidget* makeSides();
     QWidget* makeFoot();
     void placeSides();
+    bool areBeside() const;
+    void scrollToResults();
     void refresh();
     /// All that the files depend on, but for their names, which are others once these are written.
     struct Asked {
@@ -85,8 +89,9 @@ private:
     ExportResultsPanel* results_panel_;
     JobProgress* progress_;
     Label* state_;
-    QHBoxLayout* sides_ = nullptr;
-    QWidget* between_ = nullptr;
+    QBoxLayout *sides_ = nullptr, *below_form_ = nullptr;
+    QWidget *between_ = nullptr, *takes_side_ = nullptr;
+    ScrollArea* scroll_ = nullptr;
     Button *again_, *folder_, *write_;
     std::optional<ExportResults> results_;
     std::optional<Asked> written_, started_;  ///< what results_ and the job that runs were asked for

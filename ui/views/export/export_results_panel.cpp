@@ -48,15 +48,16 @@ ExportResultsPanel::ExportResultsPanel(QWidget* parent)
     : QWidget(parent),
       empty_(new EmptyState(tr("Written files are listed here, each with its check."))),
       results_(new QWidget),
+      content_(new QWidget),
       cards_(new QWidget),
+      area_(new ScrollArea(content_)),
       verdict_(new VerdictHeader),
       cards_column_(makeColumn(cards_, {}, 8)),
       save_(makeButton(ButtonKind::kText, tr("Save the check as text"), "note")) {
     auto* outer = makeColumn(this);
     outer->addWidget(empty_, 1);
     outer->addWidget(results_, 1);
-    auto* content = new QWidget;
-    auto* column = makeColumn(content, {20, 16, 20, 20}, 12);
+    auto* column = makeColumn(content_, {20, 16, 20, 20}, 12);
     verdict_->setCompact(true);
     column->addWidget(verdict_);
     column->addWidget(cards_);
@@ -64,14 +65,27 @@ ExportResultsPanel::ExportResultsPanel(QWidget* parent)
     links->addWidget(save_);
     links->addStretch();
     column->addStretch();
-    keepMaximumWidth(*content, 640);
-    makeColumn(results_)->addWidget(new ScrollArea(content));
+    keepMaximumWidth(*content_, 640);
+    makeColumn(results_)->addWidget(area_);
     connect(save_, &QPushButton::clicked, this, &ExportResultsPanel::saveWanted);
     clear();
 }
 
 int ExportResultsPanel::cardCount() const {
     return cards_column_->count();
+}
+
+void ExportResultsPanel::setScrolls(bool scrolls) {
+    if (scrolls == (area_->widget() == content_))
+        return;
+    if (scrolls) {
+        area_->setWidget(content_);
+    } else {
+        area_->takeWidget();
+        results_->layout()->addWidget(content_);
+    }
+    content_->show();
+    area_->setVisible(scrolls);
 }
 
 void ExportResultsPanel::clear() {

@@ -13,6 +13,7 @@ namespace noctule::ui {
 class Button;
 class EmptyState;
 class Label;
+class ScrollArea;
 class VerdictHeader;
 
 class ExportResultsPanel : public QWidget {
@@ -25,6 +26,8 @@ public:
     void setResults(const ExportResults& results, bool is_trial);
     void clear();
     int cardCount() const;
+    /// Or all of them stand in what scrolls around the panel.
+    void setScrolls(bool scrolls);
 
 signals:
     void saveWanted();
@@ -34,7 +37,8 @@ private:
     void showCards(const ExportResults& latest);
 
     EmptyState* empty_;
-    QWidget *results_, *cards_;
+    QWidget *results_, *content_, *cards_;
+    ScrollArea* area_;
     VerdictHeader* verdict_;
     QBoxLayout* cards_column_;
     std::vector<ExportOutcome> earlier_;  ///< of files that were written, newest first

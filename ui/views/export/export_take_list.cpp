@@ -14,7 +14,7 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kTakeName = Qt::UserRole, kRowHeight = 28, kFewestRows = 2, kResults = 280;
+constexpr int kTakeName = Qt::UserRole, kRowHeight = 28, kFewestRows = 2, kMostTakeRows = 6, kResults = 280;
 
 }  // namespace
 
@@ -83,13 +83,8 @@ void ExportTakeList::readTakes() {
 }
 
 void ExportTakeList::fitHeight() {
-    const int rows = std::clamp(topLevelItemCount(), kFewestRows, std::max(kFewestRows, most_rows_));
+    const int rows = std::clamp(topLevelItemCount(), kFewestRows, kMostTakeRows);
     setFixedHeight(rows * Theme::get().px(kRowHeight) + 2 * frameWidth());
-}
-
-void ExportTakeList::setMostRows(int rows) {
-    most_rows_ = rows;
-    fitHeight();
 }
 
 void ExportTakeList::addTake(const SessionTake& take, bool is_ticked) {

@@ -22,8 +22,6 @@ public:
     /// Names of the takes that are ticked, in the order of the session.
     QStringList ticked() const;
     void tick(const QStringList& names);
-    /// How many rows are seen at once, at most; the others are scrolled to.
-    void setMostRows(int rows);
     /// Whether every take shows its results, to choose one of them when `choosable`; a job reads those of
     /// takes that were written since.
     void setResultsShown(bool shown, bool choosable);
@@ -55,7 +53,6 @@ private:
 
     ReviewContext& review_;
     bool results_shown_ = false, choosable_ = false;
-    int most_rows_ = 6;
     int ticket_ = 0;                 ///< what an earlier reading found is dropped
     ResultsOfTakes results_;         ///< by take
     QMap<QString, QString> chosen_;  ///< by take

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/report/report_view.h"
 
+#include <QComboBox>
 #include <QFileInfo>
 #include <QKeyEvent>
 #include <QListWidget>
@@ -11,6 +12,7 @@
 #include "core/report/joints_csv.h"
 #include "ui/language/core_words.h"
 #include "ui/models/file_choice.h"
+#include "ui/style/theme.h"
 #include "ui/style/words.h"
 #include "ui/views/open_take.h"
 #include "ui/views/scaled_layout.h"
@@ -22,6 +24,10 @@
 
 namespace noctule::ui {
 
+namespace {
+constexpr int kContents = 176, kRoomForContents = 720, kLettersOfPart = 12;  // pixels at 100 percent
+}
+
 ReportView::ReportView(ReviewContext& review, FullReport& report, QWidget* parent)
     : QWidget(parent),
       review_(review),
@@ -31,23 +37,29 @@ ReportView::ReportView(ReviewContext& review, FullReport& report, QWidget* paren
       search_(new SearchField(tr("Find", "in the report"))),
       contents_(new QListWidget),
       page_(new ReportBrowser),
-      save_(makeButton(ButtonKind::kOutlined, tr("Save"), "disk")) {
+      parts_(new QComboBox),
+      save_(makeButton(ButtonKind::kOutlined, tr("Save"), "disk")),
+      zoom_(makeZoom()) {
     auto* column = makeColumn(this);
     column->addWidget(makeHead());
     column->addWidget(new Divider);
     auto* body = new QWidget;
     auto* row = makeRow(body);
-    keepSize(*contents_, 176, 0);
+    keepSize(*contents_, kContents, 0);
     contents_->setFrameShape(QFrame::NoFrame);
     contents_->setAccessibleName(tr("Parts of the report"));
     row->addWidget(contents_);
-    row->addWidget(new Divider(Qt::Vertical));
+    row->addWidget(beside_ = new Divider(Qt::Vertical));
     row->addWidget(page_, 1);
     column->addWidget(body, 1);
     connect(contents_, &QListWidget::currentItemChanged, this, [this](QListWidgetItem* item) {
         if (item)
             page_->scrollToAnchor(item->data(Qt::UserRole).toString());
     });
+    connect(parts_, qOverload<int>(&QComboBox::activated), this,
+            [this](int part) { contents_->setCurrentRow(part); });
+    connect(contents_, &QListWidget::currentRowChanged, parts_, &QComboBox::setCurrentIndex);
+    connect(&Theme::get(), &Theme::changed, this, &ReportView::fold);
     connect(&report, &FullReport::changed, this, &ReportView::refresh);
     connect(&review.take(), &TakeDocument::opened, this, &ReportView::refresh);
     connect(page_, &ReportBrowser::zoomChanged, this, &ReportView::refresh);
@@ -58,10 +70,11 @@ ReportView::ReportView(ReviewContext& review, FullReport& report, QWidget* paren
 
 QWidget* ReportView::makeHead() {
     auto* head = new QWidget;
-    auto* row = makeRow(head, {12, 8, 16, 8}, 8);
+    auto* column = makeColumn(head, {12, 8, 16, 8}, 8);
+    first_row_ = addRow(column, 8);
+    second_row_ = addRow(column, 8);
+    second_ = second_row_->parentWidget();
     auto* back = makeButton(ButtonKind::kText, tr("Back to the take"), "prev", QKeySequence(Qt::Key_Escape));
-    auto* smaller = new ToolButton("minus", tr("Smaller"), QKeySequence::ZoomOut);
-    auto* larger = new ToolButton("new", tr("Larger"), QKeySequence::ZoomIn);
     search_->setAccessibleName(tr("Find in the report"));
     keepMinimumWidth(*search_, 112);
     keepMaximumWidth(*search_, 200);
@@ -76,17 +89,50 @@ QWidget* ReportView::makeHead() {
     });
     connect(save_, &QPushButton::clicked, this,
             [this, formats] { formats->exec(save_->mapToGlobal(QPoint(0, save_->height()))); });
-    row->addWidget(back);
-    row->addWidget(title_, 3);
-    row->addWidget(search_, 1);
+    first_row_->addWidget(back);
+    first_row_->addWidget(title_, 3);
+    first_row_->addWidget(search_, 1);
+    first_row_->addWidget(zoom_);
+    first_row_->addWidget(save_);
+    parts_->setModel(contents_->model());
+    parts_->setAccessibleName(tr("Parts of the report"));
+    parts_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    parts_->setMinimumContentsLength(kLettersOfPart);
+    second_row_->addWidget(parts_, 2);
+    second_->hide();
+    connect(back, &QPushButton::clicked, this, &ReportView::closed);
+    return head;
+}
+
+QWidget* ReportView::makeZoom() {
+    auto* zoom = new QWidget;
+    auto* row = makeRow(zoom, {}, 8);
+    auto* smaller = new ToolButton("minus", tr("Smaller"), QKeySequence::ZoomOut);
+    auto* larger = new ToolButton("new", tr("Larger"), QKeySequence::ZoomIn);
     row->addWidget(smaller);
     row->addWidget(zoom_label_);
     row->addWidget(larger);
-    row->addWidget(save_);
-    connect(back, &QPushButton::clicked, this, &ReportView::closed);
     connect(smaller, &QToolButton::clicked, this, [this] { page_->setZoom(page_->zoom() / 1.1); });
     connect(larger, &QToolButton::clicked, this, [this] { page_->setZoom(page_->zoom() * 1.1); });
-    return head;
+    return zoom;
+}
+
+void ReportView::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fold();
+}
+
+void ReportView::fold() {
+    const bool folded = width() < Theme::get().px(kRoomForContents);
+    if (folded == second_->isVisibleTo(this))
+        return;
+    contents_->setVisible(!folded);
+    beside_->setVisible(!folded);
+    QBoxLayout* row = folded ? second_row_ : first_row_;
+    const int place = folded ? 1 : 2;  // after the parts or the title
+    row->insertWidget(place, search_, 1);
+    row->insertWidget(place + 1, zoom_);
+    second_->setVisible(folded);
 }
 
 void ReportView::enter() {
@@ -118,6 +164,7 @@ void ReportView::refresh() {
         item->setData(Qt::UserRole, QString::fromStdString(part.id));
     }
     contents_->setCurrentRow(0);
+    parts_->setCurrentIndex(0);
     page_->setDocumentTitle(title_->text());
     page_->setParts(std::move(parts));
 }

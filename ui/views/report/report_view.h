@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The full report of the open take inside the window: parts at the left, text, tables and drawings to scroll,
-// zoom, search and copy, and saving as HTML or PDF; its table of joints as CSV.
+// zoom, search and copy, and saving as HTML or PDF; its table of joints as CSV. Where there is little room
+// the parts fold into a list that opens, in a second row of the head, and the text has the whole width.
 #pragma once
 
 #include <QTextBrowser>
@@ -13,6 +14,8 @@
 #include "ui/views/report/full_report.h"
 #include "ui/views/report/report_html.h"
 
+class QBoxLayout;
+class QComboBox;
 class QListWidget;
 
 namespace noctule::ui {
@@ -70,9 +73,12 @@ signals:
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     QWidget* makeHead();
+    QWidget* makeZoom();
+    void fold();
     void refresh();
     void saveHtml();
     /// A job writes what `written` makes of the report; nothing when `path` is empty.
@@ -87,7 +93,10 @@ private:
     SearchField* search_;
     QListWidget* contents_;
     ReportBrowser* page_;
+    QComboBox* parts_;  ///< the same as contents_
     Button* save_;
+    QWidget *zoom_, *beside_ = nullptr, *second_ = nullptr;
+    QBoxLayout *first_row_ = nullptr, *second_row_ = nullptr;
     std::shared_ptr<const ReportData> shown_;
 };
 
