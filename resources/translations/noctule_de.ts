@@ -3757,8 +3757,24 @@
         <translation>%1, %2</translation>
     </message>
     <message>
-        <source>The figure goes %1 below the floor. Process the take with a level floor, or move the motion up in the program that reads it.</source>
-        <translation>Die Figur reicht %1 unter den Boden. Verarbeiten Sie die Aufnahme mit ebenem Boden, oder heben Sie die Bewegung in dem Programm an, das sie liest.</translation>
+        <source>The figure goes %1 below the floor: this result holds no feet on it. If they stood on a level floor, process the take with filter Noctule, gyroscopes and Level floor.</source>
+        <translation>Die Figur reicht %1 unter den Boden: Dieses Ergebnis hält keine Füße darauf. Standen sie auf ebenem Boden, verarbeiten Sie die Aufnahme mit Filter Noctule, Gyroskopen und ebenem Boden.</translation>
+    </message>
+    <message>
+        <source>The figure goes %1 below the floor of the rest pose, as it may on uneven ground. If the floor was level, process the take with Level floor.</source>
+        <translation>Die Figur reicht %1 unter den Boden der Ruhehaltung, wie es auf unebenem Boden sein kann. War der Boden eben, verarbeiten Sie die Aufnahme mit ebenem Boden.</translation>
+    </message>
+    <message>
+        <source>The figure stands %1 below the floor. Move the motion up by that in the program that reads it.</source>
+        <translation>Die Figur steht %1 unter dem Boden. Heben Sie die Bewegung in dem Programm, das sie liest, um so viel an.</translation>
+    </message>
+    <message>
+        <source>The figure stands %1 below the floor: its height is that of the other system. Correct the floor there, or move the motion up in the program that reads it.</source>
+        <translation>Die Figur steht %1 unter dem Boden: Ihre Höhe ist die des anderen Systems. Berichtigen Sie dort den Boden, oder heben Sie die Bewegung in dem Programm an, das sie liest.</translation>
+    </message>
+    <message>
+        <source>The figure stands %1 below the floor: its height is that of the anchors. Check how high they hang, or move the motion up in the program that reads it.</source>
+        <translation>Die Figur steht %1 unter dem Boden: Ihre Höhe ist die der Anker. Prüfen Sie, wie hoch sie hängen, oder heben Sie die Bewegung in dem Programm an, das sie liest.</translation>
     </message>
 </context>
 <context>
