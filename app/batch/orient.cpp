@@ -138,7 +138,8 @@ Verb orientVerb() {
         inputFile("calibration", "C.json", "the calibration; the one in force in the take when not given"),
         text("run-name", "NAME", "how the result is called")};
     verb.remarks = {
-        "The result is a run of kind orientation in the take; evaluate compares it with the take's "
+        "It needs a take of inertial sensors; of a driver box's take process gives the motion.",
+        "The result is one of kind orientation in the take; evaluate compares it with the take's "
         "reference: total, heading and inclination, root mean square over the phases of movement."};
     verb.run = runOrient;
     return verb;

@@ -4944,10 +4944,6 @@
         <translation>Prozess-Sigma</translation>
     </message>
     <message>
-        <source>Process the take's sound first, or record both; attitudes that came with a recording are a run already</source>
-        <translation>Zuerst den Ton der Aufnahme verarbeiten oder beides aufnehmen; Lagen, die mit einer Aufnahme kamen, sind schon ein Ergebnis</translation>
-    </message>
-    <message>
         <source>Processing readings</source>
         <translation>Messwerte werden verarbeitet</translation>
     </message>
@@ -5016,8 +5012,20 @@
         <translation>Zeilen, die nicht geschrieben werden konnten</translation>
     </message>
     <message>
+        <source>Run `noctule --batch inspect %1` to see what it holds</source>
+        <translation>Mit `noctule --batch inspect %1` ansehen, was sie enthält</translation>
+    </message>
+    <message>
+        <source>Run `noctule --batch process %1 --estimator orientation`: it gives the motion of the body from them</source>
+        <translation>`noctule --batch process %1 --estimator orientation` ausführen: Es ergibt aus ihnen die Bewegung des Körpers</translation>
+    </message>
+    <message>
         <source>Run `noctule --batch process %1` first</source>
         <translation>Zuerst `noctule --batch process %1` ausführen</translation>
+    </message>
+    <message>
+        <source>Run `noctule --batch process %1`: it decodes the sound and gives the motion of the whole body</source>
+        <translation>`noctule --batch process %1` ausführen: Es entschlüsselt den Ton und ergibt die Bewegung des ganzen Körpers</translation>
     </message>
     <message>
         <source>Say at which time of the take the file begins (--align MILLISECONDS)</source>
@@ -5296,6 +5304,14 @@
         <translation>Schwerkraft vorher m/s^2</translation>
     </message>
     <message>
+        <source>holds attitudes that came with it; the orientation of each sensor needs readings of gyroscope and accelerometer</source>
+        <translation>enthält Lagen, die mit ihr kamen; die Lage jedes Sensors braucht Messwerte von Gyroskop und Beschleunigungssensor</translation>
+    </message>
+    <message>
+        <source>holds the sound of a driver box; the orientation of each sensor needs a take of inertial sensors</source>
+        <translation>enthält den Ton einer Steuerbox; die Lage jedes Sensors braucht eine Aufnahme von Inertialsensoren</translation>
+    </message>
+    <message>
         <source>imu6</source>
         <translation>imu6</translation>
     </message>
@@ -5372,8 +5388,8 @@
         <translation>keine Beschleunigungssensoren</translation>
     </message>
     <message>
-        <source>no board has readings of gyroscope and accelerometer</source>
-        <translation>keine Platine hat Messwerte von Gyroskop und Beschleunigungssensor</translation>
+        <source>no board has readings of gyroscope and accelerometer, which the orientation of each sensor needs</source>
+        <translation>keine Platine hat Messwerte von Gyroskop und Beschleunigungssensor, welche die Lage jedes Sensors braucht</translation>
     </message>
     <message>
         <source>no distances</source>
