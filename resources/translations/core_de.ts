@@ -1065,8 +1065,16 @@
         <translation>Die Ruhehaltung noch einmal halten</translation>
     </message>
     <message>
+        <source>Hold the rest pose again after the gyroscopes</source>
+        <translation>Die Ruhehaltung nach den Gyroskopen noch einmal einnehmen</translation>
+    </message>
+    <message>
         <source>Hold the rest pose again if the other results are poor</source>
         <translation>Die Ruhehaltung noch einmal halten, wenn die anderen Ergebnisse schlecht sind</translation>
+    </message>
+    <message>
+        <source>Made before the gyroscopes were calibrated: boards with exchanged plugs are noticed less surely, and the zeros found here are replaced when the gyroscopes are calibrated</source>
+        <translation>Vor dem Kalibrieren der Gyroskope gemacht: Platinen mit vertauschten Steckern fallen weniger sicher auf, und die hier gefundenen Nullpunkte werden ersetzt, wenn die Gyroskope kalibriert werden</translation>
     </message>
     <message>
         <source>No board of the suit is heard in the rest pose</source>

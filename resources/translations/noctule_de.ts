@@ -12203,12 +12203,12 @@ Drehen, beide Richtungen x3</translation>
 <context>
     <name>noctule::ui::WizardIntro</name>
     <message>
-        <source>Gyroscopes come first</source>
-        <translation>Zuerst die Gyroskope</translation>
+        <source>Better after the gyroscopes</source>
+        <translation>Besser nach den Gyroskopen</translation>
     </message>
     <message>
-        <source>The gyroscopes of this suit are not calibrated yet. Calibrate sources, accelerometers and gyroscopes before the rest pose: what it finds rests on them.</source>
-        <translation>Die Gyroskope dieses Anzugs sind noch nicht kalibriert. Vor der Ruhehaltung Quellen, Beschleunigungssensoren und Gyroskope kalibrieren: Was sie findet, beruht darauf.</translation>
+        <source>The gyroscopes of this suit are not calibrated yet. How the boards sit is found all the same; after them, exchanged plugs are noticed more surely, and the zeros found stay in use.</source>
+        <translation>Die Gyroskope dieses Anzugs sind noch nicht kalibriert. Wie die Platinen sitzen, wird trotzdem gefunden; danach fallen vertauschte Stecker sicherer auf, und die gefundenen Nullpunkte bleiben in Gebrauch.</translation>
     </message>
     <message>
         <source>Begin</source>
