@@ -50,8 +50,9 @@ RunSettings runSettings(const DerivedRun& pose_run, const std::vector<DerivedRun
         return read.is_object() && read.value(member, json::Json()) == true;
     };
     settings.uses_room = says("room");
+    settings.between = says("between");
     settings.people_apart =
-        subjectsOf(pose_run).size() > 1 && !settings.root_given && !settings.uses_room && !says("between");
+        subjectsOf(pose_run).size() > 1 && !settings.root_given && !settings.uses_room && !settings.between;
     if (const auto list = read.is_object() ? read.find("unjoined") : read.end();
         list != read.end() && list->is_array())
         for (const json::Json& suit : *list)

@@ -8411,6 +8411,34 @@ Median; gut: unter %1</translation>
         <source>Each pose knows all that came before and after. Each performer for itself: where they stand to each other is not found.</source>
         <translation>Jede Pose kennt alles davor und danach. Jeder Darsteller für sich: Wo sie zueinander stehen, wird nicht gefunden.</translation>
     </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>%1: each suit is processed alone, since they measure no distances.</source>
+        <translation>%1: Jeder Anzug wird für sich verarbeitet, denn sie messen keine Abstände.</translation>
+    </message>
+    <message>
+        <source>%1: each suit is processed alone, since this filter knows one body only.</source>
+        <translation>%1: Jeder Anzug wird für sich verarbeitet, denn dieses Filter kennt nur einen Körper.</translation>
+    </message>
+    <message>
+        <source>%1: each suit is processed alone, since smoothing goes over one body only.</source>
+        <translation>%1: Jeder Anzug wird für sich verarbeitet, denn geglättet wird nur über einen Körper.</translation>
+    </message>
+    <message>
+        <source>%1: each suit is processed alone, since another system says where everybody is.</source>
+        <translation>%1: Jeder Anzug wird für sich verarbeitet, denn ein anderes System sagt, wo alle sind.</translation>
+    </message>
+    <message>
+        <source>%1: each suit is processed alone, since no distances are used.</source>
+        <translation>%1: Jeder Anzug wird für sich verarbeitet, denn es werden keine Abstände verwendet.</translation>
+    </message>
+    <message>
+        <source>%1: all suits are processed together, with the ranges between them, where they heard each other.</source>
+        <translation>%1: Alle Anzüge werden gemeinsam verarbeitet, mit den Abständen zwischen ihnen, wo sie einander hörten.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::ResultSide</name>
@@ -8939,6 +8967,30 @@ Median; gut: unter %1</translation>
     <message>
         <source>%1 is less certain</source>
         <translation>%1 ist weniger sicher</translation>
+    </message>
+    <message>
+        <source>%1: each alone, placed by another system</source>
+        <translation>%1: jeder für sich, gestellt von einem anderen System</translation>
+    </message>
+    <message>
+        <source>%1: each alone, without ranges between them</source>
+        <translation>%1: jeder für sich, ohne Abstände zwischen ihnen</translation>
+    </message>
+    <message>
+        <source>%1: together, with ranges between them and to the room</source>
+        <translation>%1: gemeinsam, mit Abständen zwischen ihnen und zum Raum</translation>
+    </message>
+    <message>
+        <source>%1: together, with ranges between them</source>
+        <translation>%1: gemeinsam, mit Abständen zwischen ihnen</translation>
+    </message>
+    <message>
+        <source>%1: together, with ranges to the room</source>
+        <translation>%1: gemeinsam, mit Abständen zum Raum</translation>
+    </message>
+    <message>
+        <source>%1; could not be joined: %2</source>
+        <translation>%1; nicht zuzuordnen: %2</translation>
     </message>
 </context>
 <context>
@@ -10049,6 +10101,11 @@ Median; gut: unter %1</translation>
     <message>
         <source>%1, root given</source>
         <translation>%1, Wurzel gegeben</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <comment>use of a result, performers</comment>
+        <translation>%1; %2</translation>
     </message>
 </context>
 <context>
