@@ -107,7 +107,7 @@ Result<Outcome> runOrient(const VerbContext& context) {
                          {"run", summary->run_name},
                          {"estimator", one.estimator->name},
                          {"boards", nlohmann::json::array()}},
-                        path + ": run " + summary->run_name + "\n",
+                        path + ": result " + summary->run_name + "\n",
                         std::nullopt};
         for (const OrientedBoard& board : summary->boards) {
             outcome.json["boards"].push_back(boardJson(board));

@@ -214,7 +214,7 @@ Result<std::optional<OrientationEvaluation>> evaluateOrientation(const std::stri
     OrientationEvaluation evaluation{chosen->name, suit->boards[0].id, {}};
     evaluation.score = scoreOrientation(estimate, truth, movementOf(*markers, *rows, double(*rate)));
     if (evaluation.score.samples == 0)
-        return orientationError(*take, "no instant of the run has a reference",
+        return orientationError(*take, "no instant of the result has a reference",
                                 "Look at the take with inspect");
     return Nothing{evaluation};
 }

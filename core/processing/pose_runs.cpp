@@ -125,7 +125,7 @@ Result<DerivedRun> choosePoseRun(const Take& take, const std::string& name) {
         return runs.error();
     const std::vector<DerivedRun> poses = poseRuns(*runs);
     if (poses.empty())
-        return Error{ErrorKind::kUnusable, take.path() + ": has not been processed, there is no pose run",
+        return Error{ErrorKind::kUnusable, take.path() + ": has not been processed, there is no result",
                      "Run `noctule --batch process " + take.path() + "` first"};
     const auto found = std::find_if(poses.rbegin(), poses.rend(),
                                     [&](const DerivedRun& run) { return name.empty() || run.name == name; });
@@ -134,7 +134,8 @@ Result<DerivedRun> choosePoseRun(const Take& take, const std::string& name) {
     std::string names;
     for (const DerivedRun& run : poses)
         names += (names.empty() ? "'" : ", '") + run.name + "'";
-    return Error{ErrorKind::kUnusable, take.path() + ": has no run '" + name + "'", "Its runs are " + names};
+    return Error{ErrorKind::kUnusable, take.path() + ": has no result '" + name + "'",
+                 "Its results are " + names};
 }
 
 Result<DerivedRun> poseRun(const Take& take, int64_t number) {
@@ -144,8 +145,8 @@ Result<DerivedRun> poseRun(const Take& take, int64_t number) {
     for (const DerivedRun& run : poseRuns(*runs))
         if (run.run == number)
             return run;
-    return Error{ErrorKind::kUnusable, take.path() + ": has no pose run " + std::to_string(number),
-                 "Open the take again to see its runs"};
+    return Error{ErrorKind::kUnusable, take.path() + ": has no result " + std::to_string(number),
+                 "Open the take again to see its results"};
 }
 
 }  // namespace noctule
