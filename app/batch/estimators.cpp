@@ -66,7 +66,7 @@ Verb estimatorsVerb() {
     verb.operands = "[NAME]";
     verb.max_operands = 1;
     verb.example = "noctule --batch estimators manifold";
-    verb.remarks = {"`process --param NAME=VALUE` sets one; every run stores all of them."};
+    verb.remarks = {"`process --param NAME=VALUE` sets one; every result stores all of them."};
     verb.run = runEstimators;
     return verb;
 }

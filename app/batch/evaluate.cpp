@@ -87,7 +87,7 @@ std::string verdictText(const Verdict& verdict) {
 }
 
 std::string evaluationText(const ReportData& data, const ReportRun& run) {
-    std::string text = data.take.name + ", run " + run.name + ": sensors " + run.sensors + ", estimator " +
+    std::string text = data.take.name + ", result " + run.name + ": sensors " + run.sensors + ", estimator " +
                        run.estimator + ", root " + (run.root_given ? "given" : "free") + "\n";
     if (run.comparison)
         text += comparisonText(*run.comparison) + matchedText(*run.comparison);
@@ -109,7 +109,7 @@ Outcome orientationOutcome(const std::string& take, const OrientationEvaluation&
              {"total_turned_deg", score.total_turned_deg},
              {"heading_turned_deg", score.heading_turned_deg},
              {"readings", score.samples}},
-            takeName(take) + ", run " + evaluation.run_name + ", sensor " + evaluation.board + "\n" +
+            takeName(take) + ", result " + evaluation.run_name + ", sensor " + evaluation.board + "\n" +
                 angle("total                 ", score.total_deg) +
                 angle("heading               ", score.heading_deg) +
                 angle("inclination           ", score.inclination_deg) + "north differs by      " +
@@ -402,17 +402,17 @@ Result<Outcome> runEvaluate(const VerbContext& context) {
 Verb evaluateVerb() {
     Verb verb;
     verb.name = "evaluate";
-    verb.summary = "compare a run with a reference and report how far it can be trusted";
+    verb.summary = "compare a result with a reference and report how far it can be trusted";
     verb.operands = "T.noctule";
     verb.min_operands = verb.max_operands = 1;
     verb.example = "noctule --batch evaluate hops_001.noctule --report hops.html";
-    verb.options = {text("run", "NAME", "the run to judge; the last one when not given"),
+    verb.options = {text("run", "NAME", "the result to judge; the last one when not given"),
                     inputFile("reference", "M.bvh|M.fbx|M.glb",
                               "another system's motion, aligned in time; else the take's own"),
                     inputFiles("points", "P.csv",
-                               "tables that process --estimator comocap --points wrote, instead of a run"),
-                    text("report", "R.html", "write the whole report, with every run of the take"),
-                    text("csv", "J.csv", "write the joints of every run as a table")};
+                               "tables that process --estimator comocap --points wrote, instead of a result"),
+                    text("report", "R.html", "write the whole report, with every result of the take"),
+                    text("csv", "J.csv", "write the joints of every result as a table")};
     for (Option& option : motionOptions("reference"))
         verb.options.push_back(std::move(option));
     verb.remarks = {

@@ -222,7 +222,7 @@ Outcome outcomeOf(const ExportRequest& request, const ExportSummary& summary) {
     if (request.worn)
         outcome.json["bones"] = request.worn->bones.node_of_joint;
     for (const std::string& file : summary.files) {
-        outcome.text += file + ": " + describe(request, summary, file) + " of run " + summary.run;
+        outcome.text += file + ": " + describe(request, summary, file) + " of result " + summary.run;
         const ExportFormat format = formatOf(request, file);
         if (format != ExportFormat::kPng && format != ExportFormat::kVideo) {
             outcome.json["begin_s"][file] = summary.begin_s;
@@ -349,7 +349,7 @@ Result<Outcome> runExport(const VerbContext& context) {
 
 std::vector<Option> fileOptions() {
     return {
-        text("run", "NAME", "the run to write; the last one when not given"),
+        text("run", "NAME", "the result to write; the last one when not given"),
         text("bvh", "F", "animation with its skeleton; {name} in F stands for the take's name"),
         text("fbx", "F", "skeleton, motion and body as binary FBX 7.4"),
         text("glb", "F", "the same as binary glTF"),
@@ -400,7 +400,7 @@ std::vector<Option> lookOptions() {
 Verb exportVerb() {
     Verb verb;
     verb.name = "export";
-    verb.summary = "write a run as animation files, pictures and films, or a robot's drive as tables";
+    verb.summary = "write a result as animation files, pictures and films, or a robot's drive as tables";
     verb.operands = "T.noctule...";
     verb.min_operands = 1;
     verb.max_operands = kAnyNumber;

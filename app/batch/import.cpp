@@ -263,7 +263,7 @@ Verb importVerb() {
         "and give the file with --map.",
         "--assign auto tells by walking or free movement of ten seconds and more which of 7, 8 or 16 sensors "
         "sits where, however it is mounted and turned.",
-        "The maker's own attitudes become a run of kind orientation; an optical system's or MVN's result "
+        "The maker's own attitudes become a result of kind orientation; an optical system's or MVN's result "
         "becomes the reference."};
     verb.run = runImport;
     return verb;

@@ -93,7 +93,7 @@ std::string rowsText(const TakeInspection& in) {
     for (const DriveSummary& drive : firstRows(in.drives))
         text += line("robot " + std::to_string(drive.about.drive), summaryText(drive));
     for (const DerivedRun& run : firstRows(in.runs))
-        text += line("run " + std::to_string(run.run),
+        text += line("result " + std::to_string(run.run),
                      run.kind + " '" + run.name + "', " + run.created_utc + ", " + run.software);
     return text;
 }

@@ -107,7 +107,7 @@ Result<Outcome> runOrient(const VerbContext& context) {
                          {"run", summary->run_name},
                          {"estimator", one.estimator->name},
                          {"boards", nlohmann::json::array()}},
-                        path + ": run " + summary->run_name + "\n",
+                        path + ": result " + summary->run_name + "\n",
                         std::nullopt};
         for (const OrientedBoard& board : summary->boards) {
             outcome.json["boards"].push_back(boardJson(board));
@@ -138,7 +138,8 @@ Verb orientVerb() {
         inputFile("calibration", "C.json", "the calibration; the one in force in the take when not given"),
         text("run-name", "NAME", "how the result is called")};
     verb.remarks = {
-        "The result is a run of kind orientation in the take; evaluate compares it with the take's "
+        "It needs a take of inertial sensors; of a driver box's take process gives the motion.",
+        "The result is one of kind orientation in the take; evaluate compares it with the take's "
         "reference: total, heading and inclination, root mean square over the phases of movement."};
     verb.run = runOrient;
     return verb;

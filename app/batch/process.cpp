@@ -184,8 +184,8 @@ Outcome outcomeOf(const std::string& path, const ProcessSummary& s) {
                                     {"ranges", rangesJson(s.together->ranges)}};
     char seconds[32];
     std::snprintf(seconds, sizeof seconds, "%.1f", s.duration_s);
-    outcome.text = path + ": run " + s.run_name + ", " + std::to_string(s.poses) + " poses over " + seconds +
-                   " s; " + rangesText(s.ranges) + "; " + std::to_string(s.frames_lost) + " of " +
+    outcome.text = path + ": result " + s.run_name + ", " + std::to_string(s.poses) + " poses over " +
+                   seconds + " s; " + rangesText(s.ranges) + "; " + std::to_string(s.frames_lost) + " of " +
                    std::to_string(s.frames_seen) + " frames lost.\n";
     if (s.subjects.size() > 1)
         for (const ProcessSummary::Subject& subject : s.subjects)
@@ -229,7 +229,7 @@ Status checkPointOptions(const Arguments& arguments) {
         if (arguments.given(name))
             return Error{ErrorKind::kUsage,
                          "--" + std::string(name) + " does not go with estimator " + estimator +
-                             ", which gives points and writes no run",
+                             ", which gives points and writes no result",
                          "Leave it out" + std::string(name == std::string("select")
                                                           ? "; --param share=0.5 chooses ranges of ms-comocap"
                                                           : "")};
@@ -303,7 +303,7 @@ Result<Outcome> runProcess(const VerbContext& context) {
         for (const std::string& warning : summary->warnings)
             context.console.warn(take + ": " + warning);
         if (!request->run_name.empty() && summary->run_name != request->run_name)
-            context.console.warn(take + ": there was a run '" + request->run_name +
+            context.console.warn(take + ": there was a result '" + request->run_name +
                                  "' already; this one is '" + summary->run_name + "'.");
         return outcomeOf(resultPath(arguments, take), *summary);
     });
@@ -314,7 +314,7 @@ Result<Outcome> runProcess(const VerbContext& context) {
 Verb processVerb() {
     Verb verb;
     verb.name = "process";
-    verb.summary = "turn a take's sound and inertia into joint angles, as a new run in it";
+    verb.summary = "turn a take's sound and inertia into joint angles, as a new result in it";
     verb.operands = "T.noctule...";
     verb.min_operands = 1;
     verb.max_operands = kAnyNumber;
@@ -340,7 +340,7 @@ Verb processVerb() {
                "ms-comocap, environment: Welch 2018, points of several people (--points)")
             .orElse(kManifoldEstimator),
         texts("param", "NAME=VALUE", "sets a parameter of the estimator; `estimators` lists them"),
-        inputFile("params", "F.json", "parameters by name, or the settings of a run"),
+        inputFile("params", "F.json", "parameters by name, or the settings of a result"),
         number("paper-sigma", "X", 1e-6, 1e6,
                "process sigma of the paper's estimator, rad/s^2 (default 0.04)"),
         choice("smooth", {"none", "lag", "full", "batch"},
@@ -357,9 +357,10 @@ Verb processVerb() {
         number("select", "SHARE", 0, 1,
                "share of the ranges between suits that is used, most informative first (default 1)"),
         text("points", "P.csv", "where the points of comocap, ms-comocap and environment go"),
-        text("run-name", "NAME", "name of the new run; from sensors, estimator and smoother when not given"),
+        text("run-name", "NAME",
+             "name of the new result; from sensors, estimator and smoother when not given"),
         text("out-dir", "D", "copy the take there and write into the copy")};
-    verb.remarks = {"Nothing is replaced: every call adds a run, and the raw data stay as they are."};
+    verb.remarks = {"Nothing is replaced: every call adds a result, and the raw data stay as they are."};
     verb.run = runProcess;
     return verb;
 }

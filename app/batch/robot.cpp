@@ -267,7 +267,7 @@ Verb robotVerb() {
         flag("legs", "legs follow too, feet first: for robots that balance by themselves, and for films"),
         flag("loop", "goes back to the beginning, for playback without end"),
         number("rate", "HZ", 1, 1000, "commands a second; else 140, of BVH the file's rate"),
-        text("run", "NAME", "which run of the take; else the last")};
+        text("run", "NAME", "which result of the take; else the last")};
     for (Option& option : motionOptions("motion"))
         verb.options.push_back(std::move(option));
     verb.remarks = {

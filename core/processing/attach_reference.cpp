@@ -63,16 +63,16 @@ Result<TimeOffset> alignment(const Take& take, const AttachRequest& request, con
     const auto offset = findTimeOffset(*estimate, motion);
     if (!offset)
         return Error{ErrorKind::kUnusable,
-                     request.source_name + ": no joint that it shares with run '" + run->name +
+                     request.source_name + ": no joint that it shares with result '" + run->name +
                          "' moves for two seconds, so the shift cannot be told",
                      "Check that it shows this take, or say at which time of it the file begins (--align "
                      "MILLISECONDS)"};
     if (!offset->trusted())
-        return Error{
-            ErrorKind::kUnusable,
-            request.source_name + ": compared with run '" + run->name + "', the motion " + distrust(*offset),
-            "Check that it shows this take, or say at which time of it the file begins (--align "
-            "MILLISECONDS)"};
+        return Error{ErrorKind::kUnusable,
+                     request.source_name + ": compared with result '" + run->name + "', the motion " +
+                         distrust(*offset),
+                     "Check that it shows this take, or say at which time of it the file begins (--align "
+                     "MILLISECONDS)"};
     aligned_with = run->name;
     return *offset;
 }

@@ -6,6 +6,8 @@
 #include <functional>
 #include <limits>
 
+#include "core/estimation/ground_contacts.h"
+#include "core/live/estimators.h"
 #include "core/math/rotation.h"
 #include "core/media/picture_file.h"
 #include "core/media/video_file.h"
@@ -22,12 +24,8 @@ int64_t toNs(double s) {
 }
 
 /// What the file should hold: the run at the instants that were asked for.
-Result<ExpectedMotion> expectedMotion(const Take& take, const ExportRequest& request, std::string& run_name) {
-    const auto run = choosePoseRun(take, request.run);
-    if (!run)
-        return run.error();
-    run_name = run->name;
-    const auto motion = take.poses(run->run);
+Result<ExpectedMotion> expectedMotion(const Take& take, const ExportRequest& request, const DerivedRun& run) {
+    const auto motion = take.poses(run.run);
     if (!motion)
         return motion.error();
     ExpectedMotion expected;
@@ -50,7 +48,7 @@ Result<ExpectedMotion> expectedMotion(const Take& take, const ExportRequest& req
         }
     if (!request.with_body || !request.worn)
         return expected;
-    const auto contacts = contactsInForce(take, *run, *motion);
+    const auto contacts = contactsInForce(take, run, *motion);
     if (!contacts)
         return contacts.error();
     expected.plants = footPlants(contacts->feet, expected.begin_s);
@@ -167,18 +165,18 @@ Status comparePicture(const std::string& path, const ExportRequest& request, siz
 }
 
 /// As the film samples the run.
-Result<size_t> filmFrames(const Take& take, ExportRequest request) {
+Result<size_t> filmFrames(const Take& take, ExportRequest request, const DerivedRun& run) {
     if (request.video_path.empty())
         return size_t{0};
     request.frames_per_second = request.film.frames_per_second;
-    std::string run_name;
-    const auto expected = expectedMotion(take, request, run_name);
+    const auto expected = expectedMotion(take, request, run);
     return expected ? expected->frames.size() : Result<size_t>(expected.error());
 }
 
 /// What files of a request are held against.
 struct CheckedTake {
     std::string run;
+    HeldBy held_by = HeldBy::kLevelFloor;
     ExpectedMotion expected;
     std::vector<SilentBoard> silent;
     size_t film_frames = 0;
@@ -191,11 +189,16 @@ Result<CheckedTake> checkedTake(const ExportRequest& request) {
     if (request.suit)
         take->view(*request.suit);
     CheckedTake checked;
-    auto expected = expectedMotion(*take, request, checked.run);
+    const auto run = choosePoseRun(*take, request.run);
+    if (!run)
+        return run.error();
+    checked.run = run->name;
+    checked.held_by = heldBy(*run);
+    auto expected = expectedMotion(*take, request, *run);
     if (!expected)
         return expected.error();
     auto silent = silentBoards(*take, *expected);
-    const auto film_frames = filmFrames(*take, request);
+    const auto film_frames = filmFrames(*take, request, *run);
     if (!silent || !film_frames)
         return !silent ? silent.error() : film_frames.error();
     checked.expected = std::move(*expected);
@@ -210,6 +213,7 @@ ExportCheck checkFile(const std::string& path, const CheckedTake& take, const Ex
     ExportCheck check;
     check.path = path;
     check.run = take.run;
+    check.held_by = take.held_by;
     check.silent = take.silent;
     check.expected_frames = take.expected.frames.size();
     check.expected_joints = take.expected.skeleton.size();
@@ -224,6 +228,44 @@ ExportCheck checkFile(const std::string& path, const CheckedTake& take, const Ex
 }
 
 }  // namespace
+
+HeldBy heldBy(const DerivedRun& pose_run) {
+    const RunSettings settings = runSettings(pose_run, {}, TakeLevel::kSignal);
+    const EstimatorEntry* estimator = findEstimator(settings.estimator);
+    if (!estimator || settings.root_given)
+        return HeldBy::kOtherSystem;
+    if (settings.estimator == kOrientationEstimator)
+        return HeldBy::kLevelFloor;  // it knows no other ground
+    if (settings.uses_room)
+        return HeldBy::kRoom;
+    if (!estimator->finds_contacts)
+        return HeldBy::kNothing;
+    switch (groundFromName(settings.ground).value_or(Ground::kNone)) {
+        case Ground::kLevel:
+            return HeldBy::kLevelFloor;
+        case Ground::kUneven:
+            return HeldBy::kUnevenGround;
+        case Ground::kTreadmill:
+            return HeldBy::kTreadmill;
+        case Ground::kNone:
+            break;
+    }
+    return HeldBy::kNothing;
+}
+
+FloorRemedy ExportCheck::floorRemedy() const {
+    if (!has_figure || lowest_m >= -kOnFloor_m)
+        return FloorRemedy::kNone;
+    if (held_by == HeldBy::kNothing)
+        return FloorRemedy::kHoldFeet;
+    if (held_by == HeldBy::kUnevenGround)
+        return FloorRemedy::kLevelGround;
+    if (usual_lowest_m >= -kOnFloor_m)
+        return FloorRemedy::kNone;
+    return held_by == HeldBy::kRoom          ? FloorRemedy::kRoom
+           : held_by == HeldBy::kOtherSystem ? FloorRemedy::kOtherSystem
+                                             : FloorRemedy::kMoveUp;
+}
 
 Result<std::vector<ExportCheck>> checkExport(const ExportRequest& request, const JobContext& job) {
     const auto take = checkedTake(request);

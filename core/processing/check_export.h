@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/processing/export_take.h"
+#include "core/recording/rows.h"
 
 namespace noctule {
 
@@ -20,6 +21,21 @@ struct SilentBoard {
     size_t frames = 0;            ///< of the file
 };
 
+/// What keeps the figure of a run at its height above the floor.
+enum class HeldBy {
+    kLevelFloor,    ///< feet that stand, on one floor
+    kNothing,       ///< the run knew of no feet that stand, though the readings may tell of them
+    kUnevenGround,  ///< feet that stand, as high as each finds the ground
+    kTreadmill,
+    kRoom,         ///< anchors
+    kOtherSystem,  ///< its root was given, or the whole motion was imported
+};
+
+HeldBy heldBy(const DerivedRun& pose_run);
+
+/// What helps a figure below the floor. kNone: nothing need or can be done.
+enum class FloorRemedy { kNone, kHoldFeet, kLevelGround, kMoveUp, kOtherSystem, kRoom };
+
 struct ExportCheck {
     std::string path;
     std::string run;
@@ -29,6 +45,8 @@ struct ExportCheck {
     bool has_figure = false;                     ///< the file tells height, lowest point and facing
     double height_m = 0, expected_height_m = 0;  ///< of the zero pose; CSV: of the first frame's joints
     double lowest_m = 0;                         ///< lowest joint or tip of all frames; 0 is the floor
+    double usual_lowest_m = 0;                   ///< the same of each frame, median over the frames
+    HeldBy held_by = HeldBy::kLevelFloor;
     /// Heading of the zero pose or of the first frame (CSV): 0 faces +Z with the left side to +X,
     /// positive turns towards +X.
     double facing_rad = 0, expected_facing_rad = 0;
@@ -42,8 +60,10 @@ struct ExportCheck {
     std::vector<std::string> faults;  ///< whole sentences; empty: the file holds what the take holds
 
     bool ok() const { return faults.empty(); }
-    /// Deeper than feet roll through a floor that a run holds them on.
-    bool isBelowFloor() const { return has_figure && lowest_m < -kOnFloor_m; }
+    /// A figure that is held and goes below the floor for moments has none: a landing, a hand, a rolling
+    /// foot.
+    FloorRemedy floorRemedy() const;
+    /// Feet that a run holds roll less deep through the floor.
     static constexpr double kOnFloor_m = 0.02;
 };
 

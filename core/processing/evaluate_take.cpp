@@ -130,7 +130,8 @@ void warnOfMatchedSegments(const Comparison& comparison, const Skeleton& skeleto
         data.warnings.push_back(
             "The reference has other axes or another rest pose, and its bones do not show how " +
             std::to_string(count) +
-            " segments are turned. That was taken from the run: constant errors of these are not counted: " +
+            " segments are turned. That was taken from the result: constant errors of these are not "
+            "counted: " +
             joints + ".");
     const size_t moving = static_cast<size_t>(
         std::ranges::count_if(comparison.matched, [](const MatchedJoint& joint) { return joint.moves; }));
@@ -351,7 +352,7 @@ Result<ReportData> evaluateTake(const EvaluateRequest& request, const JobContext
     for (size_t i = 0; i < runs.size(); ++i) {
         if (job.cancelled())
             return JobContext::cancelledError();
-        job.progress(0.5 * static_cast<double>(i) / static_cast<double>(runs.size()), "Comparing runs");
+        job.progress(0.5 * static_cast<double>(i) / static_cast<double>(runs.size()), "Comparing results");
         ReportRun run = describeRun(take, runs[i], runSettings(runs[i], *all_runs, take.level()));
         run.number = resultNumber(take, *all_runs, runs[i]);
         run.is_shown = runs[i].run == shown->run;

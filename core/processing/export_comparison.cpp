@@ -73,6 +73,17 @@ Vector3d expectedRoot(const ExpectedMotion& expected, size_t frame) {
     return root;
 }
 
+/// `lowest_m`: of each frame.
+void noteLowest(std::vector<double> lowest_m, ExportCheck& check) {
+    check.lowest_m = check.usual_lowest_m = INFINITY;
+    if (lowest_m.empty())
+        return;
+    const auto middle = lowest_m.begin() + static_cast<std::ptrdiff_t>(lowest_m.size() / 2);
+    std::nth_element(lowest_m.begin(), middle, lowest_m.end());
+    check.usual_lowest_m = *middle;
+    check.lowest_m = *std::min_element(lowest_m.begin(), lowest_m.end());
+}
+
 class ClipComparison {
 public:
     ClipComparison(const MotionClip& file, const ExpectedMotion& expected, ExportCheck& check)
@@ -94,9 +105,10 @@ public:
         check_.facing_rad = zeroPoseFacing(file_.skeleton);
         check_.expected_facing_rad = zeroPoseFacing(expected_.skeleton);
         check_.has_angles = check_.has_figure = true;
-        check_.lowest_m = INFINITY;
+        std::vector<double> lowest_m;
         for (size_t f = 0; f < file_.frames.size(); ++f)
-            check_.lowest_m = std::min(check_.lowest_m, lowestPoint(file_, f));
+            lowest_m.push_back(lowestPoint(file_, f));
+        noteLowest(std::move(lowest_m), check_);
         for (size_t f = 0; f < std::min(file_.frames.size(), expected_.frames.size()); ++f) {
             compareRoot(f);
             compareJoints(f);
@@ -167,9 +179,13 @@ public:
         check_.joints =
             static_cast<int>(std::count_if(joints_.begin(), joints_.end(), [](int j) { return j >= 0; }));
         check_.has_figure = true;
-        check_.lowest_m = INFINITY;
-        for (const Vector3d& p_m : file_.p_world_m)
-            check_.lowest_m = std::min(check_.lowest_m, p_m.y());
+        std::vector<double> lowest_m;
+        for (size_t f = 0; f < check_.frames; ++f) {
+            lowest_m.push_back(INFINITY);
+            for (size_t j = 0; j < file_.joints.size(); ++j)
+                lowest_m.back() = std::min(lowest_m.back(), file_.at(f, j).y());
+        }
+        noteLowest(std::move(lowest_m), check_);
         for (size_t f = 0; f < std::min(check_.frames, expected_.frames.size()); ++f)
             compareFrame(f);
     }

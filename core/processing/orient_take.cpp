@@ -54,6 +54,33 @@ std::string settingsText(const OrientRequest& request) {
     return settings.dump();
 }
 
+/// Its readings are decoded together with the distances.
+Error boxTake(const Take& take) {
+    return orientationError(
+        take,
+        "holds the sound of a driver box; the orientation of each sensor needs a take of inertial sensors",
+        "Run `noctule --batch process " + take.path() +
+            "`: it decodes the sound and gives the motion of the whole body");
+}
+
+/// `begun`: the run that would hold the result.
+Error withoutReadings(const Take& take, int64_t begun) {
+    const auto runs = take.derivedRuns();
+    const bool has_attitudes = runs && std::ranges::any_of(*runs, [begun](const DerivedRun& run) {
+                                   return run.kind == std::string(kOrientationKind) && run.run != begun;
+                               });
+    if (has_attitudes)
+        return orientationError(take,
+                                "holds attitudes that came with it; the orientation of each sensor needs "
+                                "readings of gyroscope and accelerometer",
+                                "Run `noctule --batch process " + take.path() +
+                                    " --estimator orientation`: it gives the motion of the body from them");
+    return orientationError(take,
+                            "no board has readings of gyroscope and accelerometer, which the orientation of "
+                            "each sensor needs",
+                            "Run `noctule --batch inspect " + take.path() + "` to see what it holds");
+}
+
 Status orientAll(const Take& take, const Suit& suit, const ReadingsOfBoards& boards,
                  const OrientRequest& request, TakeEdit& edit, OrientSummary& summary,
                  const JobContext& job) {
@@ -78,11 +105,7 @@ Status orientAll(const Take& take, const Suit& suit, const ReadingsOfBoards& boa
             return written;
         summary.boards.push_back(describe(suit.boards[b].id, *readings, *result));
     }
-    if (summary.boards.empty())
-        return orientationError(take, "no board has readings of gyroscope and accelerometer",
-                                "Process the take's sound first, or record both; attitudes that came with a "
-                                "recording are a run already");
-    return Done{};
+    return summary.boards.empty() ? Status(withoutReadings(take, summary.run)) : Status(Done{});
 }
 
 bool knowsAnyBoard(const Calibration& calibration, const Suit& suit) {
@@ -120,6 +143,8 @@ Result<OrientSummary> orientTake(const OrientRequest& request, const JobContext&
     auto take = Take::open(request.take_path, Access::kReadWrite);
     if (!take)
         return take.error();
+    if (take->level() == TakeLevel::kSignal)
+        return boxTake(*take);
     const auto suit = take->suit();
     if (!suit)
         return suit.error();
@@ -189,7 +214,7 @@ Result<std::optional<OrientationEvaluation>> evaluateOrientation(const std::stri
     OrientationEvaluation evaluation{chosen->name, suit->boards[0].id, {}};
     evaluation.score = scoreOrientation(estimate, truth, movementOf(*markers, *rows, double(*rate)));
     if (evaluation.score.samples == 0)
-        return orientationError(*take, "no instant of the run has a reference",
+        return orientationError(*take, "no instant of the result has a reference",
                                 "Look at the take with inspect");
     return Nothing{evaluation};
 }

@@ -123,7 +123,7 @@ Status writeOrientationCsv(const OrientationCsvRequest& request, const JobContex
         return one.kind == "orientation" && (request.run_name.empty() || one.name == request.run_name);
     });
     if (run == runs->rend())
-        return Error{ErrorKind::kUnusable, request.take_path + ": has no such run of orientations",
+        return Error{ErrorKind::kUnusable, request.take_path + ": has no such result of orientations",
                      "Make one with: noctule --batch orient"};
     OrientationTable table(*suit, request.sequence);
     if (Status read = table.read(*take, run->run); !read)

@@ -50,8 +50,9 @@ RunSettings runSettings(const DerivedRun& pose_run, const std::vector<DerivedRun
         return read.is_object() && read.value(member, json::Json()) == true;
     };
     settings.uses_room = says("room");
+    settings.between = says("between");
     settings.people_apart =
-        subjectsOf(pose_run).size() > 1 && !settings.root_given && !settings.uses_room && !says("between");
+        subjectsOf(pose_run).size() > 1 && !settings.root_given && !settings.uses_room && !settings.between;
     if (const auto list = read.is_object() ? read.find("unjoined") : read.end();
         list != read.end() && list->is_array())
         for (const json::Json& suit : *list)
@@ -124,7 +125,7 @@ Result<DerivedRun> choosePoseRun(const Take& take, const std::string& name) {
         return runs.error();
     const std::vector<DerivedRun> poses = poseRuns(*runs);
     if (poses.empty())
-        return Error{ErrorKind::kUnusable, take.path() + ": has not been processed, there is no pose run",
+        return Error{ErrorKind::kUnusable, take.path() + ": has not been processed, there is no result",
                      "Run `noctule --batch process " + take.path() + "` first"};
     const auto found = std::find_if(poses.rbegin(), poses.rend(),
                                     [&](const DerivedRun& run) { return name.empty() || run.name == name; });
@@ -133,7 +134,8 @@ Result<DerivedRun> choosePoseRun(const Take& take, const std::string& name) {
     std::string names;
     for (const DerivedRun& run : poses)
         names += (names.empty() ? "'" : ", '") + run.name + "'";
-    return Error{ErrorKind::kUnusable, take.path() + ": has no run '" + name + "'", "Its runs are " + names};
+    return Error{ErrorKind::kUnusable, take.path() + ": has no result '" + name + "'",
+                 "Its results are " + names};
 }
 
 Result<DerivedRun> poseRun(const Take& take, int64_t number) {
@@ -143,8 +145,8 @@ Result<DerivedRun> poseRun(const Take& take, int64_t number) {
     for (const DerivedRun& run : poseRuns(*runs))
         if (run.run == number)
             return run;
-    return Error{ErrorKind::kUnusable, take.path() + ": has no pose run " + std::to_string(number),
-                 "Open the take again to see its runs"};
+    return Error{ErrorKind::kUnusable, take.path() + ": has no result " + std::to_string(number),
+                 "Open the take again to see its results"};
 }
 
 }  // namespace noctule

@@ -18,6 +18,7 @@ struct RunSettings {
     bool contacts_edited = false;  ///< those of an operator were used, none were looked for
     bool root_given = false;
     bool uses_room = false;     ///< anchors held the world
+    bool between = false;       ///< made with ranges between the people
     bool people_apart = false;  ///< several people, whose places to each other are neither measured nor given
     std::vector<int> unjoined;  ///< suits that could not be placed against the others
     std::optional<int64_t> inertial_run, range_run;  ///< what it was made from; kPrimaryRun: primary rows

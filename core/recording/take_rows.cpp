@@ -404,7 +404,7 @@ Result<PoseSource> Take::poseSource(int64_t run, int suit) const {
     const auto found =
         std::find_if(runs->begin(), runs->end(), [&](const DerivedRun& r) { return r.run == run; });
     if (found == runs->end() || found->kind != "pose")
-        return unusable("there is no pose run " + std::to_string(run), "Process the take first");
+        return unusable("there is no result " + std::to_string(run), "Process the take first");
     DerivedRun of_suit = *found;  // whose parts are those of the suit in view
     namePartsOf(suit, of_suit);
     auto own = of_suit.actor_id ? actor(*of_suit.actor_id) : Result<Actor>(Actor{});

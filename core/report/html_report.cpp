@@ -16,7 +16,7 @@ struct Part {
 };
 
 constexpr Part kParts[] = {{"summary", "Summary", summarySection},
-                           {"runs", "Sensors and runs", runsSection},
+                           {"runs", "Sensors and results", runsSection},
                            {"joints", "Joints", jointsSection},
                            {"root", "Root", rootSection},
                            {"confidence", "Confidence", confidenceSection},

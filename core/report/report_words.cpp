@@ -39,7 +39,7 @@ std::string definitionsOfWords() {
          {"Residual", "By how much a measured distance differs from that in the estimated pose"},
          {"Inertial readings", "Acceleration and rate of turning, as the boards measure them"},
          {"Sensors A, G and D", "Accelerometers, gyroscopes and distances; A+G+D means all three"},
-         {"Run", "One processing of the take with its own settings"},
+         {"Result", "What one processing of the take with its own settings has made"},
          {"Estimator",
           "The method that makes poses of readings and ranges: Noctule (manifold) is this "
           "program's own, Vlasic 2007 (paper) is that of a publication"},

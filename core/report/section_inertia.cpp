@@ -86,7 +86,7 @@ std::string provenanceSection(const ReportData& data) {
                 text::number(static_cast<double>(run.comparison->offset.add_to_reference_ns) * 1e-6, 1) +
                     " ms");
         entries.insert(entries.end(), run.settings.begin(), run.settings.end());
-        body += html::heading("Run " + run.name) + html::definitions(entries);
+        body += html::heading("Result " + run.name) + html::definitions(entries);
     }
     for (const auto& [title, entries] : data.provenance)
         body += html::heading(title) + html::definitions(entries);

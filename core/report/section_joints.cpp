@@ -193,7 +193,7 @@ std::string jointsSection(const ReportData& data) {
         "dashed; a curve breaks where it passes 180°.");
     body += allCurves(c, data);
     return html::section("joints", title,
-                         "Angle between the estimated and the reference rotation of each joint, of run " +
+                         "Angle between the estimated and the reference rotation of each joint, of result " +
                              run->name +
                              ". Curves are Cardan angles in the order Z, X, Y from the T pose, named as the "
                              "ISB names them; an "

@@ -37,13 +37,13 @@ std::vector<std::string> statements(const ReportData& data, const ReportRun* run
     const bool has_accelerometers = run && run->sensors.find('A') != std::string::npos;
     if (run && !has_distances)
         out.emplace_back(
-            "The shown run used no ranges: every joint rested on inertia alone and nothing held the "
+            "The shown result used no ranges: every joint rested on inertia alone and nothing held the "
             "angles between segments over long times.");
     else if (!data.support.empty())
         out.emplace_back(supportStatement(data.support));
     if (run && !has_gyroscopes)
         out.emplace_back(
-            "The shown run used no gyroscopes: rotation between two ranges or readings is a guess of "
+            "The shown result used no gyroscopes: rotation between two ranges or readings is a guess of "
             "the model.");
     if (!run || run->root_given)
         out.emplace_back(
@@ -90,7 +90,7 @@ std::string supportTable(const std::vector<JointSupport>& support) {
 std::string observabilitySection(const ReportData& data) {
     std::string body = html::list(statements(data, data.shownRun()));
     body += data.support.empty()
-                ? html::nothing("How often ranges backed each joint is not known for this run.")
+                ? html::nothing("How often ranges backed each joint is not known for this result.")
                 : supportTable(data.support);
     return html::section(
         "observability", "What was observable",

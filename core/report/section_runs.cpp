@@ -56,7 +56,7 @@ html::Row paperRow(const PaperRow& paper) {
 std::string table1(const std::vector<const ReportRun*>& runs, const ReportRun* shown) {
     html::Table table{"Orientation differences to the reference by sensors, in degrees",
                       {{"Sensors", false},
-                       {"Run", false},
+                       {"Result", false},
                        {"Estimator", false},
                        {"Mean", true, "Neck\u00A0°"},
                        {"Deviation", true, "Neck\u00A0°"},
@@ -97,10 +97,10 @@ std::string errorPlot(const std::vector<const ReportRun*>& runs, const std::stri
     plot.values = niceInterval(all, 1);
     plot.values.min = 0;
     plot.value_decimals = plot.values.max < 4 ? 1 : 0;
-    plot.description = "Mean over all joints of the angle to the reference, one curve per run";
+    plot.description = "Mean over all joints of the angle to the reference, one curve per result";
     return "<div class=\"scroll\">" + svg(plot) + "</div>" +
            (runs.size() > kMostCurves ? html::note("Drawn are the last " + std::to_string(kMostCurves) +
-                                                   " of " + std::to_string(runs.size()) + " runs.")
+                                                   " of " + std::to_string(runs.size()) + " results.")
                                       : "");
 }
 
@@ -109,8 +109,8 @@ std::string errorPlots(const std::vector<const ReportRun*>& runs, const ReportDa
     std::vector<const ReportRun*> with, without;
     for (const ReportRun* run : runs)
         (run->sensors.find('G') != std::string::npos ? with : without).push_back(run);
-    return errorPlot(with, "Mean joint error over time, runs with gyroscopes", data) +
-           errorPlot(without, "Mean joint error over time, runs without gyroscopes", data);
+    return errorPlot(with, "Mean joint error over time, results with gyroscopes", data) +
+           errorPlot(without, "Mean joint error over time, results without gyroscopes", data);
 }
 
 /// Joint by joint, the runs that were held against the shown one.
@@ -122,7 +122,7 @@ std::string distancesTable(const ReportData& data) {
             others.push_back(&run);
     if (!shown || others.empty())
         return "";
-    html::Table table{"How far other runs are from the shown run, in degrees", {{"Joint", false}}, {}};
+    html::Table table{"How far other results are from the shown one, in degrees", {{"Joint", false}}, {}};
     for (const ReportRun* run : others)
         for (const char* what : {"Mean", "95\u00A0%"})
             table.columns.push_back({what, true, numberedName(*run) + "\u00A0°"});
@@ -144,8 +144,8 @@ std::string distancesTable(const ReportData& data) {
     return html::heading(table.caption) + html::table(table) +
            html::note(
                "The angle between a joint's two orientations, in the mean and below what it is for 95 % of "
-               "the time. The shown run is " +
-               text::escaped(shown->name) + ". Which of two runs is right only a reference tells.");
+               "the time. The shown result is " +
+               text::escaped(shown->name) + ". Which of two results is right only a reference tells.");
 }
 
 }  // namespace
@@ -155,7 +155,7 @@ std::string runsSection(const ReportData& data) {
     std::string body;
     if (runs.empty()) {
         body = html::nothing(
-            "No run of this take has been compared: it has no reference, or was not processed yet.");
+            "No result of this take has been compared: it has no reference, or was not processed yet.");
     } else {
         body = html::note("A stands for accelerometers, G for gyroscopes and D for distances.") +
                table1(runs, data.shownRun()) +
@@ -166,10 +166,11 @@ std::string runsSection(const ReportData& data) {
                errorPlots(runs, data);
     }
     body += distancesTable(data);
-    return html::section("runs", "Sensors and runs",
-                         "How each run of this take compares with the reference: the angle between the two "
-                         "orientations of a joint, its mean and its standard deviation over the take.",
-                         body);
+    return html::section(
+        "runs", "Sensors and results",
+        "How each result of this take compares with the reference: the angle between the two "
+        "orientations of a joint, its mean and its standard deviation over the take.",
+        body);
 }
 
 }  // namespace noctule

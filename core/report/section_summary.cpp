@@ -45,7 +45,7 @@ std::string cards(const ReportData& data, const ReportRun* run) {
 std::string explanation(const ReportData& data, const ReportRun* run) {
     if (!run)
         return "Process the take, then evaluate it again.";
-    std::string words = "Run " + run->name + ": sensors " + sensorsInWords(run->sensors) + ", estimator " +
+    std::string words = "Result " + run->name + ": sensors " + sensorsInWords(run->sensors) + ", estimator " +
                         estimatorInWords(run->estimator) + ", smoothing " + run->smoother + ", root " +
                         (run->root_given ? "given by another system" : "free") + ". ";
     constexpr VerdictLimits kLimits;

@@ -181,7 +181,7 @@ std::string gradeName(Grade grade) {
 Verdict judge(const ReportData& data) {
     const ReportRun* run = data.shownRun();
     if (!run)
-        return {Grade::kUnknown, "Not processed yet. The take holds no run to judge.", data.warnings};
+        return {Grade::kUnknown, "Not processed yet. The take holds no result to judge.", data.warnings};
     const TakeVerdict judged = judgeTake(data);
     Verdict verdict{judged.grade, {}, {}};
     if (data.take.ends_in_rest) {

@@ -16,10 +16,10 @@ Result<TimedMotion> loadPoses(const TakeView& view, std::optional<int64_t> run, 
     if (!motion)
         return motion;
     if (motion->frames.empty())
-        return Error{
-            ErrorKind::kUnusable,
-            path + (run ? ": the run " + std::to_string(*run) + " holds no poses" : ": holds no reference"),
-            run ? "Process the take again" : "Attach a reference first"};
+        return Error{ErrorKind::kUnusable,
+                     path + (run ? ": the result " + std::to_string(*run) + " holds no poses"
+                                 : ": holds no reference"),
+                     run ? "Process the take again" : "Attach a reference first"};
     if (const Status fits = checkMotion(*motion, path); !fits)
         return fits.error();
     return motion;

@@ -1065,8 +1065,16 @@
         <translation>Die Ruhehaltung noch einmal halten</translation>
     </message>
     <message>
+        <source>Hold the rest pose again after the gyroscopes</source>
+        <translation>Die Ruhehaltung nach den Gyroskopen noch einmal einnehmen</translation>
+    </message>
+    <message>
         <source>Hold the rest pose again if the other results are poor</source>
         <translation>Die Ruhehaltung noch einmal halten, wenn die anderen Ergebnisse schlecht sind</translation>
+    </message>
+    <message>
+        <source>Made before the gyroscopes were calibrated: boards with exchanged plugs are noticed less surely, and the zeros found here are replaced when the gyroscopes are calibrated</source>
+        <translation>Vor dem Kalibrieren der Gyroskope gemacht: Platinen mit vertauschten Steckern fallen weniger sicher auf, und die hier gefundenen Nullpunkte werden ersetzt, wenn die Gyroskope kalibriert werden</translation>
     </message>
     <message>
         <source>No board of the suit is heard in the rest pose</source>
@@ -4384,7 +4392,7 @@
         <translation>%1: --room on braucht Anker, die Aufnahme hat keine</translation>
     </message>
     <message>
-        <source>%1: compared with run '%2', the motion %3</source>
+        <source>%1: compared with result '%2', the motion %3</source>
         <translation>%1: Verglichen mit Ergebnis „%2“: Die Bewegung %3</translation>
     </message>
     <message>
@@ -4392,16 +4400,16 @@
         <translation>%1: hat schon %2</translation>
     </message>
     <message>
-        <source>%1: has no pose run %2</source>
+        <source>%1: has no result %2</source>
         <translation>%1: hat kein Ergebnis %2 mit Posen</translation>
+    </message>
+    <message>
+        <source>%1: has no result '%2'</source>
+        <translation>%1: hat kein Ergebnis „%2“</translation>
     </message>
     <message>
         <source>%1: has no room: none of its suits is made of anchors alone</source>
         <translation>%1: hat keinen Raum: keiner der Anzüge besteht nur aus Ankern</translation>
-    </message>
-    <message>
-        <source>%1: has no run '%2'</source>
-        <translation>%1: hat kein Ergebnis „%2“</translation>
     </message>
     <message>
         <source>%1: has no subject '%2'</source>
@@ -4412,7 +4420,7 @@
         <translation>%1: hat keinen Darsteller dieses Namens</translation>
     </message>
     <message>
-        <source>%1: has not been processed, there is no pose run</source>
+        <source>%1: has not been processed, there is no result</source>
         <translation>%1: ist nicht verarbeitet, es gibt kein Ergebnis mit Posen</translation>
     </message>
     <message>
@@ -4464,7 +4472,7 @@
         <translation>%1: kein Zeitpunkt der Tabelle hat nach der Ruhehaltung eine Referenz</translation>
     </message>
     <message>
-        <source>%1: no joint that it shares with run '%2' moves for two seconds, so the shift cannot be told</source>
+        <source>%1: no joint that it shares with result '%2' moves for two seconds, so the shift cannot be told</source>
         <translation>%1: Kein Gelenk, das auch Ergebnis „%2“ hat, bewegt sich zwei Sekunden lang; die Verschiebung ist nicht zu bestimmen</translation>
     </message>
     <message>
@@ -4664,7 +4672,7 @@
         <translation>Vergleichen</translation>
     </message>
     <message>
-        <source>Comparing runs</source>
+        <source>Comparing results</source>
         <translation>Ergebnisse werden verglichen</translation>
     </message>
     <message>
@@ -4784,7 +4792,7 @@
         <translation>Das Magnetometer ist vielleicht defekt oder abgeschirmt; den Sensor auslassen</translation>
     </message>
     <message>
-        <source>Its runs are %1</source>
+        <source>Its results are %1</source>
         <translation>Ihre Ergebnisse sind %1</translation>
     </message>
     <message>
@@ -4900,7 +4908,7 @@
         <translation>Nur %1 Gelenke der Referenz wurden an ihren Namen erkannt.</translation>
     </message>
     <message>
-        <source>Open the take again to see its runs</source>
+        <source>Open the take again to see its results</source>
         <translation>Aufnahme erneut öffnen, um ihre Ergebnisse zu sehen</translation>
     </message>
     <message>
@@ -4942,10 +4950,6 @@
     <message>
         <source>Process sigma</source>
         <translation>Prozess-Sigma</translation>
-    </message>
-    <message>
-        <source>Process the take's sound first, or record both; attitudes that came with a recording are a run already</source>
-        <translation>Zuerst den Ton der Aufnahme verarbeiten oder beides aufnehmen; Lagen, die mit einer Aufnahme kamen, sind schon ein Ergebnis</translation>
     </message>
     <message>
         <source>Processing readings</source>
@@ -5016,8 +5020,20 @@
         <translation>Zeilen, die nicht geschrieben werden konnten</translation>
     </message>
     <message>
+        <source>Run `noctule --batch inspect %1` to see what it holds</source>
+        <translation>Mit `noctule --batch inspect %1` ansehen, was sie enthält</translation>
+    </message>
+    <message>
+        <source>Run `noctule --batch process %1 --estimator orientation`: it gives the motion of the body from them</source>
+        <translation>`noctule --batch process %1 --estimator orientation` ausführen: Es ergibt aus ihnen die Bewegung des Körpers</translation>
+    </message>
+    <message>
         <source>Run `noctule --batch process %1` first</source>
         <translation>Zuerst `noctule --batch process %1` ausführen</translation>
+    </message>
+    <message>
+        <source>Run `noctule --batch process %1`: it decodes the sound and gives the motion of the whole body</source>
+        <translation>`noctule --batch process %1` ausführen: Es entschlüsselt den Ton und ergibt die Bewegung des ganzen Körpers</translation>
     </message>
     <message>
         <source>Say at which time of the take the file begins (--align MILLISECONDS)</source>
@@ -5148,7 +5164,7 @@
         <translation>Die Bilder haben eine andere Größe als verlangt.</translation>
     </message>
     <message>
-        <source>The reference has other axes or another rest pose, and its bones do not show how %1 segments are turned. That was taken from the run: constant errors of these are not counted: %2.</source>
+        <source>The reference has other axes or another rest pose, and its bones do not show how %1 segments are turned. That was taken from the result: constant errors of these are not counted: %2.</source>
         <translation>Die Referenz hat andere Achsen oder eine andere Ruhehaltung, und ihre Knochen zeigen nicht, wie %1 Glieder gedreht sind. Das wurde dem Ergebnis entnommen: ihre konstanten Fehler zählen nicht mit: %2.</translation>
     </message>
     <message>
@@ -5296,6 +5312,14 @@
         <translation>Schwerkraft vorher m/s^2</translation>
     </message>
     <message>
+        <source>holds attitudes that came with it; the orientation of each sensor needs readings of gyroscope and accelerometer</source>
+        <translation>enthält Lagen, die mit ihr kamen; die Lage jedes Sensors braucht Messwerte von Gyroskop und Beschleunigungssensor</translation>
+    </message>
+    <message>
+        <source>holds the sound of a driver box; the orientation of each sensor needs a take of inertial sensors</source>
+        <translation>enthält den Ton einer Steuerbox; die Lage jedes Sensors braucht eine Aufnahme von Inertialsensoren</translation>
+    </message>
+    <message>
         <source>imu6</source>
         <translation>imu6</translation>
     </message>
@@ -5372,8 +5396,8 @@
         <translation>keine Beschleunigungssensoren</translation>
     </message>
     <message>
-        <source>no board has readings of gyroscope and accelerometer</source>
-        <translation>keine Platine hat Messwerte von Gyroskop und Beschleunigungssensor</translation>
+        <source>no board has readings of gyroscope and accelerometer, which the orientation of each sensor needs</source>
+        <translation>keine Platine hat Messwerte von Gyroskop und Beschleunigungssensor, welche die Lage jedes Sensors braucht</translation>
     </message>
     <message>
         <source>no distances</source>
@@ -5396,7 +5420,7 @@
         <translation>keine Gyroskope</translation>
     </message>
     <message>
-        <source>no instant of the run has a reference</source>
+        <source>no instant of the result has a reference</source>
         <translation>kein Zeitpunkt des Ergebnisses hat eine Referenz</translation>
     </message>
     <message>
@@ -6243,7 +6267,7 @@
         <translation>es gibt kein %1 %2</translation>
     </message>
     <message>
-        <source>there is no pose run %1</source>
+        <source>there is no result %1</source>
         <translation>es gibt kein Ergebnis %1 mit Posen</translation>
     </message>
     <message>
@@ -6529,7 +6553,7 @@
         <translation>Winkel zwischen geschätzter und Referenzorientierung über die Zeit</translation>
     </message>
     <message>
-        <source>Angle between the estimated and the reference rotation of each joint, of run %1. Curves are Cardan angles in the order Z, X, Y from the T pose, named as the ISB names them; an angle is positive in the direction of its name.</source>
+        <source>Angle between the estimated and the reference rotation of each joint, of result %1. Curves are Cardan angles in the order Z, X, Y from the T pose, named as the ISB names them; an angle is positive in the direction of its name.</source>
         <translation>Winkel zwischen geschätzter und Referenzdrehung jedes Gelenks, von Ergebnis %1. Kurven sind Kardanwinkel in der Reihenfolge Z, X, Y ab der T-Pose, benannt wie von der ISB; ein Winkel ist positiv in der Richtung seines Namens.</translation>
     </message>
     <message>
@@ -6649,7 +6673,7 @@
         <translation>Entfernungen einzelner Paare</translation>
     </message>
     <message>
-        <source>Drawn are the last %1 of %2 runs.</source>
+        <source>Drawn are the last %1 of %2 results.</source>
         <translation>Gezeichnet sind die letzten %1 von %2 Ergebnissen.</translation>
     </message>
     <message>
@@ -6781,7 +6805,7 @@
         <translation>Ver­deckt</translation>
     </message>
     <message>
-        <source>How each run of this take compares with the reference: the angle between the two orientations of a joint, its mean and its standard deviation over the take.</source>
+        <source>How each result of this take compares with the reference: the angle between the two orientations of a joint, its mean and its standard deviation over the take.</source>
         <translation>Wie jedes Ergebnis dieser Aufnahme gegen die Referenz abschneidet: der Winkel zwischen den beiden Orientierungen eines Gelenks, sein Mittel und seine Standardabweichung über die Aufnahme.</translation>
     </message>
     <message>
@@ -6805,7 +6829,7 @@
         <translation>Wie weit jede Platine von ihrem Sitz am Darsteller abgeneigt ist</translation>
     </message>
     <message>
-        <source>How far other runs are from the shown run, in degrees</source>
+        <source>How far other results are from the shown one, in degrees</source>
         <translation>Wie weit andere Ergebnisse vom gezeigten abweichen, in Grad</translation>
     </message>
     <message>
@@ -6825,7 +6849,7 @@
         <translation>Wie viel später die andere jede ansetzt; 1 µs ist ein drittel Millimeter.</translation>
     </message>
     <message>
-        <source>How often ranges backed each joint is not known for this run.</source>
+        <source>How often ranges backed each joint is not known for this result.</source>
         <translation>Wie oft Entfernungen jedes Gelenk stützten, ist für dieses Ergebnis nicht bekannt.</translation>
     </message>
     <message>
@@ -6957,11 +6981,11 @@
         <translation>Mittlere Konfidenz jedes Paars</translation>
     </message>
     <message>
-        <source>Mean joint error over time, runs with gyroscopes</source>
+        <source>Mean joint error over time, results with gyroscopes</source>
         <translation>Mittlerer Gelenkfehler über die Zeit, Ergebnisse mit Gyroskopen</translation>
     </message>
     <message>
-        <source>Mean joint error over time, runs without gyroscopes</source>
+        <source>Mean joint error over time, results without gyroscopes</source>
         <translation>Mittlerer Gelenkfehler über die Zeit, Ergebnisse ohne Gyroskope</translation>
     </message>
     <message>
@@ -6969,7 +6993,7 @@
         <translation>Mittel aller Gelenke</translation>
     </message>
     <message>
-        <source>Mean over all joints of the angle to the reference, one curve per run</source>
+        <source>Mean over all joints of the angle to the reference, one curve per result</source>
         <translation>Mittel des Winkels zur Referenz über alle Gelenke, eine Kurve je Ergebnis</translation>
     </message>
     <message>
@@ -7021,7 +7045,7 @@
         <translation>Kein Gelenk wurde von Entfernungen gestützt. %1</translation>
     </message>
     <message>
-        <source>No run of this take has been compared: it has no reference, or was not processed yet.</source>
+        <source>No result of this take has been compared: it has no reference, or was not processed yet.</source>
         <translation>Kein Ergebnis dieser Aufnahme wurde verglichen: sie hat keine Referenz oder ist noch nicht verarbeitet.</translation>
     </message>
     <message>
@@ -7045,7 +7069,7 @@
         <translation>Nicht gemessen, wo sie zu den anderen stehen: %1. Während der Ruhehaltung passten zu wenige Entfernungen. Abstände zu ihnen sagen nichts aus.</translation>
     </message>
     <message>
-        <source>Not processed yet. The take holds no run to judge.</source>
+        <source>Not processed yet. The take holds no result to judge.</source>
         <translation>Noch nicht verarbeitet. Die Aufnahme enthält kein Ergebnis zum Beurteilen.</translation>
     </message>
     <message>
@@ -7075,10 +7099,6 @@
     <message>
         <source>Offsets of %1 sources; %2</source>
         <translation>Versätze von %1 Quellen; %2</translation>
-    </message>
-    <message>
-        <source>One processing of the take with its own settings</source>
-        <translation>Eine Auswertung der Aufnahme mit eigenen Einstellungen</translation>
     </message>
     <message>
         <source>One row per board; gaps are pale</source>
@@ -7189,6 +7209,18 @@
         <translation>Ruhe am Anfang</translation>
     </message>
     <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Result %1</source>
+        <translation>Ergebnis %1</translation>
+    </message>
+    <message>
+        <source>Result %1: sensors %2, estimator %3, smoothing %4, root %5.</source>
+        <translation>Ergebnis %1: Sensoren %2, Schätzer %3, Glättung %4, Wurzel %5.</translation>
+    </message>
+    <message>
         <source>Right</source>
         <translation>Rechts</translation>
     </message>
@@ -7221,18 +7253,6 @@
         <translation>Quadratisches Mittel (RMS)</translation>
     </message>
     <message>
-        <source>Run</source>
-        <translation>Ergebnis</translation>
-    </message>
-    <message>
-        <source>Run %1</source>
-        <translation>Ergebnis %1</translation>
-    </message>
-    <message>
-        <source>Run %1: sensors %2, estimator %3, smoothing %4, root %5.</source>
-        <translation>Ergebnis %1: Sensoren %2, Schätzer %3, Glättung %4, Wurzel %5.</translation>
-    </message>
-    <message>
         <source>SD is the standard deviation, RMS the root mean square. Half of the time a joint errs less than its median, 95 % of the time less than the value so headed. NEES compares the errors with what the filter says about them: 1 is honest, more is too sure. Position is that of the joint in the frame of the pelvis, so it gathers the errors of all joints above.</source>
         <translation>SD ist die Standardabweichung, RMS das quadratische Mittel. Die Hälfte der Zeit irrt ein Gelenk um weniger als seinen Median, 95 % der Zeit um weniger als den Wert dieser Überschrift. NEES vergleicht die Fehler mit dem, was der Filter über sie sagt: 1 ist ehrlich, mehr ist zu sicher. Position ist die des Gelenks im Bezugssystem des Beckens, sammelt also die Fehler aller Gelenke darüber.</translation>
     </message>
@@ -7253,7 +7273,7 @@
         <translation>Sensoren A, G und D</translation>
     </message>
     <message>
-        <source>Sensors and runs</source>
+        <source>Sensors and results</source>
         <translation>Sensoren und Ergebnisse</translation>
     </message>
     <message>
@@ -7353,7 +7373,7 @@
         <translation>Bericht zur Aufnahme</translation>
     </message>
     <message>
-        <source>The angle between a joint's two orientations, in the mean and below what it is for 95 % of the time. The shown run is %1. Which of two runs is right only a reference tells.</source>
+        <source>The angle between a joint's two orientations, in the mean and below what it is for 95 % of the time. The shown result is %1. Which of two results is right only a reference tells.</source>
         <translation>Der Winkel zwischen den beiden Orientierungen eines Gelenks, im Mittel und der Wert, unter dem er 95 % der Zeit liegt. Das gezeigte Ergebnis ist %1. Welches von zwei Ergebnissen stimmt, sagt nur eine Referenz.</translation>
     </message>
     <message>
@@ -7405,11 +7425,11 @@
         <translation>Dieselbe Bewegung, wie ein anderes System oder eine Simulation sie kennt</translation>
     </message>
     <message>
-        <source>The shown run used no gyroscopes: rotation between two ranges or readings is a guess of the model.</source>
+        <source>The shown result used no gyroscopes: rotation between two ranges or readings is a guess of the model.</source>
         <translation>Das gezeigte Ergebnis verwendete keine Gyroskope: die Drehung zwischen zwei Entfernungen oder Messwerten ist eine Vermutung des Modells.</translation>
     </message>
     <message>
-        <source>The shown run used no ranges: every joint rested on inertia alone and nothing held the angles between segments over long times.</source>
+        <source>The shown result used no ranges: every joint rested on inertia alone and nothing held the angles between segments over long times.</source>
         <translation>Das gezeigte Ergebnis verwendete keine Entfernungen: jedes Gelenk beruhte allein auf Trägheit, und nichts hielt die Winkel zwischen Gliedern über lange Zeit.</translation>
     </message>
     <message>
@@ -7495,6 +7515,10 @@
     <message>
         <source>What is left over of each board's distances</source>
         <translation>Was von den Entfernungen jeder Platine übrig bleibt</translation>
+    </message>
+    <message>
+        <source>What one processing of the take with its own settings has made</source>
+        <translation>Was eine Verarbeitung der Aufnahme mit eigenen Einstellungen ergeben hat</translation>
     </message>
     <message>
         <source>What the technical words mean.</source>
@@ -8116,7 +8140,7 @@
         <translation>: enthält keine Referenz</translation>
     </message>
     <message>
-        <source>: the run %1 holds no poses</source>
+        <source>: the result %1 holds no poses</source>
         <translation>: Ergebnis %1 enthält keine Posen</translation>
     </message>
     <message>

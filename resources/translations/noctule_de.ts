@@ -3757,8 +3757,24 @@
         <translation>%1, %2</translation>
     </message>
     <message>
-        <source>The figure goes %1 below the floor. Process the take with a level floor, or move the motion up in the program that reads it.</source>
-        <translation>Die Figur reicht %1 unter den Boden. Verarbeiten Sie die Aufnahme mit ebenem Boden, oder heben Sie die Bewegung in dem Programm an, das sie liest.</translation>
+        <source>The figure goes %1 below the floor: this result holds no feet on it. If they stood on a level floor, process the take with filter Noctule, gyroscopes and Level floor.</source>
+        <translation>Die Figur reicht %1 unter den Boden: Dieses Ergebnis hält keine Füße darauf. Standen sie auf ebenem Boden, verarbeiten Sie die Aufnahme mit Filter Noctule, Gyroskopen und ebenem Boden.</translation>
+    </message>
+    <message>
+        <source>The figure goes %1 below the floor of the rest pose, as it may on uneven ground. If the floor was level, process the take with Level floor.</source>
+        <translation>Die Figur reicht %1 unter den Boden der Ruhehaltung, wie es auf unebenem Boden sein kann. War der Boden eben, verarbeiten Sie die Aufnahme mit ebenem Boden.</translation>
+    </message>
+    <message>
+        <source>The figure stands %1 below the floor. Move the motion up by that in the program that reads it.</source>
+        <translation>Die Figur steht %1 unter dem Boden. Heben Sie die Bewegung in dem Programm, das sie liest, um so viel an.</translation>
+    </message>
+    <message>
+        <source>The figure stands %1 below the floor: its height is that of the other system. Correct the floor there, or move the motion up in the program that reads it.</source>
+        <translation>Die Figur steht %1 unter dem Boden: Ihre Höhe ist die des anderen Systems. Berichtigen Sie dort den Boden, oder heben Sie die Bewegung in dem Programm an, das sie liest.</translation>
+    </message>
+    <message>
+        <source>The figure stands %1 below the floor: its height is that of the anchors. Check how high they hang, or move the motion up in the program that reads it.</source>
+        <translation>Die Figur steht %1 unter dem Boden: Ihre Höhe ist die der Anker. Prüfen Sie, wie hoch sie hängen, oder heben Sie die Bewegung in dem Programm an, das sie liest.</translation>
     </message>
 </context>
 <context>
@@ -8406,6 +8422,34 @@ Median; gut: unter %1</translation>
         <source>Each pose knows all that came before and after. Each performer for itself: where they stand to each other is not found.</source>
         <translation>Jede Pose kennt alles davor und danach. Jeder Darsteller für sich: Wo sie zueinander stehen, wird nicht gefunden.</translation>
     </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>%1: each suit is processed alone, since they measure no distances.</source>
+        <translation>%1: Jeder Anzug wird für sich verarbeitet, denn sie messen keine Abstände.</translation>
+    </message>
+    <message>
+        <source>%1: each suit is processed alone, since this filter knows one body only.</source>
+        <translation>%1: Jeder Anzug wird für sich verarbeitet, denn dieses Filter kennt nur einen Körper.</translation>
+    </message>
+    <message>
+        <source>%1: each suit is processed alone, since smoothing goes over one body only.</source>
+        <translation>%1: Jeder Anzug wird für sich verarbeitet, denn geglättet wird nur über einen Körper.</translation>
+    </message>
+    <message>
+        <source>%1: each suit is processed alone, since another system says where everybody is.</source>
+        <translation>%1: Jeder Anzug wird für sich verarbeitet, denn ein anderes System sagt, wo alle sind.</translation>
+    </message>
+    <message>
+        <source>%1: each suit is processed alone, since no distances are used.</source>
+        <translation>%1: Jeder Anzug wird für sich verarbeitet, denn es werden keine Abstände verwendet.</translation>
+    </message>
+    <message>
+        <source>%1: all suits are processed together, with the ranges between them, where they heard each other.</source>
+        <translation>%1: Alle Anzüge werden gemeinsam verarbeitet, mit den Abständen zwischen ihnen, wo sie einander hörten.</translation>
+    </message>
 </context>
 <context>
     <name>noctule::ui::ResultSide</name>
@@ -8934,6 +8978,30 @@ Median; gut: unter %1</translation>
     <message>
         <source>%1 is less certain</source>
         <translation>%1 ist weniger sicher</translation>
+    </message>
+    <message>
+        <source>%1: each alone, placed by another system</source>
+        <translation>%1: jeder für sich, gestellt von einem anderen System</translation>
+    </message>
+    <message>
+        <source>%1: each alone, without ranges between them</source>
+        <translation>%1: jeder für sich, ohne Abstände zwischen ihnen</translation>
+    </message>
+    <message>
+        <source>%1: together, with ranges between them and to the room</source>
+        <translation>%1: gemeinsam, mit Abständen zwischen ihnen und zum Raum</translation>
+    </message>
+    <message>
+        <source>%1: together, with ranges between them</source>
+        <translation>%1: gemeinsam, mit Abständen zwischen ihnen</translation>
+    </message>
+    <message>
+        <source>%1: together, with ranges to the room</source>
+        <translation>%1: gemeinsam, mit Abständen zum Raum</translation>
+    </message>
+    <message>
+        <source>%1; could not be joined: %2</source>
+        <translation>%1; nicht zuzuordnen: %2</translation>
     </message>
 </context>
 <context>
@@ -10044,6 +10112,11 @@ Median; gut: unter %1</translation>
     <message>
         <source>%1, root given</source>
         <translation>%1, Wurzel gegeben</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <comment>use of a result, performers</comment>
+        <translation>%1; %2</translation>
     </message>
 </context>
 <context>
@@ -12198,12 +12271,12 @@ Drehen, beide Richtungen x3</translation>
 <context>
     <name>noctule::ui::WizardIntro</name>
     <message>
-        <source>Gyroscopes come first</source>
-        <translation>Zuerst die Gyroskope</translation>
+        <source>Better after the gyroscopes</source>
+        <translation>Besser nach den Gyroskopen</translation>
     </message>
     <message>
-        <source>The gyroscopes of this suit are not calibrated yet. Calibrate sources, accelerometers and gyroscopes before the rest pose: what it finds rests on them.</source>
-        <translation>Die Gyroskope dieses Anzugs sind noch nicht kalibriert. Vor der Ruhehaltung Quellen, Beschleunigungssensoren und Gyroskope kalibrieren: Was sie findet, beruht darauf.</translation>
+        <source>The gyroscopes of this suit are not calibrated yet. How the boards sit is found all the same; after them, exchanged plugs are noticed more surely, and the zeros found stay in use.</source>
+        <translation>Die Gyroskope dieses Anzugs sind noch nicht kalibriert. Wie die Platinen sitzen, wird trotzdem gefunden; danach fallen vertauschte Stecker sicherer auf, und die gefundenen Nullpunkte bleiben in Gebrauch.</translation>
     </message>
     <message>
         <source>Begin</source>

@@ -130,6 +130,16 @@ TEST(BadInput, TakeThatLacksParts) {
     expectRefusal({"evaluate", take}, 4, {"half.noctule", "process"});
 }
 
+/// What it needs, what this one is, and what gives a motion of it.
+TEST(BadInput, OrientSaysWhichTakeItNeeds) {
+    Folder folder;
+    const std::string take = folder.file("box.noctule");
+    writeBytes(take, readBytes(kTinyTake));
+    expectRefusal({"orient", take}, 4,
+                  {"holds the sound of a driver box", "needs a take of inertial sensors",
+                   "noctule --batch process " + take});
+}
+
 TEST(BadInput, CalibrationOfAnotherSuit) {
     Folder folder;
     const std::string take = folder.file("t.noctule"), calibration = folder.file("c.json");

@@ -76,6 +76,8 @@ TEST(Usage, EveryVerbExplainsItselfWithOneExample) {
         EXPECT_NE(ran.out.find("example: noctule --batch " + verb + " "), std::string::npos) << ran.out;
         for (const char* common : {"--json", "--quiet", "--seed", "--jobs", "--overwrite", "--help"})
             EXPECT_NE(ran.out.find(common), std::string::npos) << verb << " " << common;
+        for (const char* run : {" a run", " the run", "every run", "last run", "new run", "which run"})
+            EXPECT_EQ(ran.out.find(run), std::string::npos) << verb << ": it is called a result";
     }
     for (const std::string& kind : kCalibrations) {
         const Ran ran = batch({"calibrate", kind, "--help"});

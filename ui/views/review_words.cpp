@@ -254,6 +254,30 @@ QString numberedTitle(const ReviewRun& run) {
     return QStringLiteral("%1: %2").arg(QString::number(run.number), runTitle(run));
 }
 
+QString peopleInWords(const ReviewRun& run) {
+    QStringList names, unjoined;
+    for (const TakeSubject& subject : subjectsOf(run.run)) {
+        names += QString::fromStdString(subject.name);
+        if (std::ranges::count(run.settings.unjoined, subject.suit()) > 0)
+            unjoined += names.back();
+    }
+    if (names.size() < 2)
+        return {};
+    const QString people = names.join(Words::tr(", "));
+    if (run.settings.root_given)
+        return Words::tr("%1: each alone, placed by another system").arg(people);
+    if (!run.settings.between && !run.settings.uses_room)
+        return Words::tr("%1: each alone, without ranges between them").arg(people);
+    const QString how = (run.settings.between && run.settings.uses_room
+                             ? Words::tr("%1: together, with ranges between them and to the room")
+                         : run.settings.between ? Words::tr("%1: together, with ranges between them")
+                                                : Words::tr("%1: together, with ranges to the room"))
+                            .arg(people);
+    return unjoined.isEmpty()
+               ? how
+               : Words::tr("%1; could not be joined: %2").arg(how, unjoined.join(Words::tr(", ")));
+}
+
 Tone toneOf(Grade grade) {
     return grade == Grade::kGood ? Tone::kOk : grade == Grade::kUsable ? Tone::kWarn : Tone::kError;
 }

@@ -12,6 +12,8 @@ namespace noctule::ui {
 
 /// "All sensors", "Gyroscopes only", "Filter of the paper, gyroscopes only".
 QString runInWords(const RunSettings& settings);
+/// Of several: "Ada, Ben: together, with ranges between them". One performer: empty.
+QString peopleInWords(const ReviewRun& run);
 /// The name that the operator gave it, else what it was made from; a second one of a kind has its number.
 QString runTitle(const ReviewRun& run);
 /// "2: All sensors", as the list of results in Review numbers them.

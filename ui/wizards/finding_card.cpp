@@ -8,7 +8,9 @@
 namespace noctule::ui {
 
 Tone toneOf(const Finding& finding) {
-    return finding.grade == Grade::kNotUsable ? Tone::kError : Tone::kWarn;
+    return finding.grade == Grade::kNotUsable ? Tone::kError
+           : finding.grade == Grade::kGood    ? Tone::kNeutral
+                                              : Tone::kWarn;
 }
 
 ProblemCard* findingCard(const Finding& finding, Tone tone) {

@@ -33,9 +33,9 @@ WizardIntro::WizardIntro(CaptureContext& capture, QWidget* parent)
       sphere_(new FieldDrawing),
       problem_(new ProblemCard(Tone::kError, {}, {})),
       prerequisite_(new ProblemCard(
-          Tone::kWarn, tr("Gyroscopes come first"),
-          tr("The gyroscopes of this suit are not calibrated yet. Calibrate sources, accelerometers and "
-             "gyroscopes before the rest pose: what it finds rests on them."))),
+          Tone::kNeutral, tr("Better after the gyroscopes"),
+          tr("The gyroscopes of this suit are not calibrated yet. How the boards sit is found all the same; "
+             "after them, exchanged plugs are noticed more surely, and the zeros found stay in use."))),
       begin_(makeButton(ButtonKind::kPrimary, tr("Begin"))),
       anew_(makeButton(ButtonKind::kText, tr("Begin anew"))),
       distances_(makeButton(ButtonKind::kOutlined, tr("Choose the distances"), "ruler")),

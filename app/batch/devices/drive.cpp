@@ -55,7 +55,7 @@ Status readTake(const Arguments& arguments, DriveJob& drive) {
     if (!poses)
         return poses.error();
     if (poses->frames.empty())
-        return Error{ErrorKind::kUnusable, arguments.operands().front() + ": its run has no poses",
+        return Error{ErrorKind::kUnusable, arguments.operands().front() + ": its result has no poses",
                      "Process the take first"};
     drive.skeleton = poses->skeleton;
     drive.motion = std::move(*poses);
@@ -270,7 +270,7 @@ Verb driveVerb() {
         inputFile("actor", "A.json", "the performer who wears it"),
         number("rest-seconds", "S", 0, 3600, "the performer holds the rest pose so long at the beginning")
             .orElse("0"),
-        text("run", "NAME", "which run of the take; else the last"),
+        text("run", "NAME", "which result of the take; else the last"),
         flag("repeat", "the take begins again after its end"),
         inputFile("profile", "P.json",
                   "how its arms answer to a performer's; else found by the robot's name, or made"),

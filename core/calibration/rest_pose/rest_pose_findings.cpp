@@ -7,6 +7,7 @@
 
 #include "core/body/text.h"
 #include "core/calibration/worn_part_names.h"
+#include "core/suit/calibration_lack.h"
 
 namespace noctule {
 namespace {
@@ -185,6 +186,13 @@ void addSensorFindings(const Observations& take, const RestPoseSettings& setting
                                    "about " +
                                        text::number(degrees(sigma_rad), 0) + "°",
                                    "Calibrate the accelerometers first"});
+    // How boards sit does not depend on it: zeros are found here, slopes are not used.
+    if (lackOf(take.suit, take.calibration).ofMostGyroscopes())
+        report.findings.push_back({Grade::kGood, "",
+                                   "Made before the gyroscopes were calibrated: boards with exchanged plugs "
+                                   "are noticed less surely, and the zeros found here are replaced when the "
+                                   "gyroscopes are calibrated",
+                                   "Hold the rest pose again after the gyroscopes"});
 }
 
 }  // namespace noctule

@@ -262,6 +262,27 @@ TEST(RestPoseCalibration, AccelerometersWithoutCalibrationAreSaidToBeUnsure) {
     EXPECT_GT(report.boards[0].sigma_tilt_rad, radians(8));
 }
 
+TEST(RestPoseCalibration, WithoutCalibratedGyroscopesItIsAsGoodAndSaysWhatItWasMadeWithout) {
+    auto take = test::standing(13);
+    ASSERT_TRUE(take) << take.error().text();
+    Observations& seen = take->observations;
+    const RestPoseReport with = restReport(seen);
+    const std::string words = "Made before the gyroscopes were calibrated";
+    EXPECT_EQ(findingsText(with).find(words), std::string::npos);
+    const Calibration nominal = nominalCalibration(seen.suit);
+    for (size_t b = 0; b < seen.calibration.boards.size(); ++b)
+        seen.calibration.boards[b].gyro = nominal.boards[b].gyro;
+    seen.calibration.sources.front().made["sources"] = {};
+    const RestPoseReport without = restReport(seen);
+    EXPECT_NE(findingsText(without).find(words), std::string::npos) << findingsText(without);
+    EXPECT_EQ(without.grade(), with.grade()) << findingsText(without);
+    for (size_t b = 0; b < with.boards.size(); ++b) {
+        EXPECT_LT(angleBetween(without.boards[b].q_segment_board, with.boards[b].q_segment_board),
+                  radians(0.01));
+        EXPECT_TRUE(without.boards[b].gyro_zero_counts.isApprox(with.boards[b].gyro_zero_counts, 1e-12));
+    }
+}
+
 TEST(RestPoseCalibration, WithoutDistancesItSaysWhatItDoesNotKnowAndWhatItServes) {
     auto take = test::standing(5);
     ASSERT_TRUE(take) << take.error().text();

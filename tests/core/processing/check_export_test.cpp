@@ -193,5 +193,42 @@ TEST_F(CheckExport, NamesAreNeverTakenTwice) {
     EXPECT_EQ(freeFilePath(folder_.path(), "a", "csv", taken), file("a.csv"));
 }
 
+TEST_F(CheckExport, WhatHelpsBelowTheFloorDependsOnWhatHoldsTheFigure) {
+    const auto held = [](const std::string& settings) {
+        DerivedRun run;
+        run.settings_json = settings;
+        return heldBy(run);
+    };
+    EXPECT_EQ(held(R"({"estimator":"manifold","ground":"level"})"), HeldBy::kLevelFloor);
+    EXPECT_EQ(held(R"({"estimator":"manifold","ground":"uneven"})"), HeldBy::kUnevenGround);
+    EXPECT_EQ(held(R"({"estimator":"manifold","ground":"treadmill"})"), HeldBy::kTreadmill);
+    EXPECT_EQ(held(R"({"estimator":"manifold","ground":"none"})"), HeldBy::kNothing);
+    EXPECT_EQ(held(R"({"estimator":"manifold","ground":"level","room":true})"), HeldBy::kRoom);
+    EXPECT_EQ(held(R"({"estimator":"manifold","ground":"level","root":"given"})"), HeldBy::kOtherSystem);
+    EXPECT_EQ(held(R"({"estimator":"paper"})"), HeldBy::kNothing);
+    EXPECT_EQ(held(R"({"estimator":"orientation","ground":"none"})"), HeldBy::kLevelFloor);
+    EXPECT_EQ(held("{}"), HeldBy::kOtherSystem) << "an imported motion";
+
+    ExportCheck check;
+    check.has_figure = true;
+    check.lowest_m = -0.05;
+    EXPECT_EQ(check.floorRemedy(), FloorRemedy::kNone) << "for moments, of feet on a level floor";
+    check.held_by = HeldBy::kNothing;
+    EXPECT_EQ(check.floorRemedy(), FloorRemedy::kHoldFeet);
+    check.lowest_m = -0.01;
+    EXPECT_EQ(check.floorRemedy(), FloorRemedy::kNone) << "feet roll as deep";
+    check.lowest_m = check.usual_lowest_m = -0.05;
+    check.held_by = HeldBy::kTreadmill;
+    EXPECT_EQ(check.floorRemedy(), FloorRemedy::kMoveUp);
+}
+
+TEST_F(CheckExport, HowDeepAFigureUsuallyStandsIsReadFromTheFile) {
+    for (const ExportCheck& check : {written(bvh()), written(csv())}) {
+        EXPECT_LT(check.lowest_m, check.usual_lowest_m);
+        EXPECT_LT(check.usual_lowest_m, check.lowest_m + 0.5);
+        EXPECT_EQ(check.held_by, HeldBy::kOtherSystem) << "as its settings say";
+    }
+}
+
 }  // namespace
 }  // namespace noctule

@@ -134,6 +134,15 @@ TEST(HtmlReport, ExplainsItsWordsBeforeTheTablesUseThem) {
     EXPECT_LT(page.find("A stands for accelerometers", runs), page.find("A+G+D", runs));
 }
 
+TEST(HtmlReport, WhatAProcessingMadeIsCalledAResult) {
+    const std::string page = htmlReport(madeReport(6));
+    EXPECT_TRUE(has(page, "Sensors and results"));
+    EXPECT_TRUE(has(page, ">Result</dt>"));
+    for (const char* run :
+         {" run ", " runs ", " run,", " runs,", " run.", " runs.", " run<", " runs<", ">Run"})
+        EXPECT_FALSE(has(page, run)) << run;
+}
+
 /// Where nothing can be folded the words stand last, and the tables come first.
 TEST(HtmlReport, PartsEndWithTheWords) {
     const std::vector<ReportPart> parts = reportParts(shortReport());
@@ -144,7 +153,7 @@ TEST(HtmlReport, PartsEndWithTheWords) {
 
 TEST(HtmlReport, ShowsHowFarAnotherRunIsFromTheShownOne) {
     ReportData data = madeReport(6);
-    const std::string caption = "How far other runs are from the shown run";
+    const std::string caption = "How far other results are from the shown one";
     EXPECT_FALSE(has(htmlReport(data), caption));
     for (ReportRun& run : data.runs)
         if (&run != data.shownRun()) {

@@ -209,6 +209,7 @@ TEST_F(ExportPageTest, FeetAreOnTheFloorOnlyWhereTheFileHasThemThere) {
     ExportCheck& check = results.outcomes.front().check;
     check.has_figure = true;
     check.height_m = 1.78;
+    check.held_by = HeldBy::kNothing;
     const auto says = [](const ExportResultsPanel& panel, const QString& words) {
         const auto labels = panel.findChildren<QLabel*>();
         return std::ranges::any_of(labels,
@@ -226,7 +227,18 @@ TEST_F(ExportPageTest, FeetAreOnTheFloorOnlyWhereTheFileHasThemThere) {
     EXPECT_FALSE(says(*below, "feet on the floor"));
     EXPECT_TRUE(says(*below, "below the floor"));
     EXPECT_TRUE(says(*below, "something you should know")) << "no tick";
+    EXPECT_TRUE(says(*below, "Level floor")) << "nothing held the feet";
     EXPECT_TRUE(checkAsText(results).contains("below the floor"));
+    check.held_by = HeldBy::kLevelFloor;
+    EXPECT_FALSE(says(*shown(-0.029), "something you should know")) << "a hop on a level floor";
+    check.usual_lowest_m = -0.04;
+    EXPECT_TRUE(says(*shown(-0.05), "Move the motion up"));
+    check.held_by = HeldBy::kOtherSystem;
+    EXPECT_TRUE(says(*shown(-0.05), "that of the other system"));
+    check.held_by = HeldBy::kRoom;
+    EXPECT_TRUE(says(*shown(-0.05), "that of the anchors"));
+    check.held_by = HeldBy::kUnevenGround;
+    EXPECT_TRUE(says(*shown(-0.05), "as it may on uneven ground"));
     check.has_figure = false;  // a table of angles
     const auto unknown = shown(0);
     EXPECT_FALSE(says(*unknown, "feet on the floor"));

@@ -20,7 +20,7 @@ TEST_F(ReportViewTest, OpensInsideTheWindowAndIsSaved) {
     page.openFullReport();
     ReportView& view = page.reportView();
     ASSERT_TRUE(page.showsFullReport() && waitFor([&] { return view.page().figureCount() > 10; }));
-    EXPECT_TRUE(view.page().toPlainText().contains("Sensors and runs"));
+    EXPECT_TRUE(view.page().toPlainText().contains("Sensors and results"));
     EXPECT_TRUE(view.page().savePdf(outsideFile("report.pdf")));
     QFile joints(outsideFile("joints.csv"));
     view.saveJoints(joints.fileName());

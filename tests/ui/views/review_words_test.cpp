@@ -24,5 +24,21 @@ TEST(ReviewWords, AResultWithoutGyroscopesSaysHowToGetABetterOne) {
     }
 }
 
+TEST(ReviewWords, AResultOfSeveralSaysWhoWasProcessedAndHow) {
+    ReviewRun run;
+    EXPECT_EQ(peopleInWords(run), "") << "one performer";
+    run.run.settings_json = R"({"subjects":[{"name":"Ada","suit":1},{"name":"Ben","suit":2}]})";
+    EXPECT_EQ(peopleInWords(run), "Ada, Ben: each alone, without ranges between them");
+    run.settings.between = true;
+    EXPECT_EQ(peopleInWords(run), "Ada, Ben: together, with ranges between them");
+    run.settings.unjoined = {2};
+    EXPECT_EQ(peopleInWords(run), "Ada, Ben: together, with ranges between them; could not be joined: Ben");
+    run.settings = {};
+    run.settings.uses_room = true;
+    EXPECT_EQ(peopleInWords(run), "Ada, Ben: together, with ranges to the room");
+    run.settings.root_given = true;
+    EXPECT_EQ(peopleInWords(run), "Ada, Ben: each alone, placed by another system");
+}
+
 }  // namespace
 }  // namespace noctule::ui

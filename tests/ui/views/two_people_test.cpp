@@ -24,6 +24,7 @@
 #include "ui/views/report/report_panel.h"
 #include "ui/views/review/performer_switch.h"
 #include "ui/views/review/reference_panel.h"
+#include "ui/views/review/reprocess_dialog.h"
 #include "ui/views/review/review_center.h"
 #include "ui/views/review/review_page.h"
 #include "ui/views/review/review_sidebar.h"
@@ -132,6 +133,20 @@ TEST_F(TwoPeopleTest, TheOperatorChoosesWhoIsShown) {
     EXPECT_TRUE(waitFor([this] { return studio_->take().subject() == 0; })) << "Shift+P shows the next";
     openTake("swing_001");
     EXPECT_FALSE(page_->center().performers().isVisible()) << "there is one performer only";
+}
+
+TEST_F(TwoPeopleTest, TheProcessDialogAndTheResultSayWhoIsProcessedAndHow) {
+    ReprocessDialog dialog(*studio_, *studio_->take().overview());
+    dialog.not_smoothed->setChecked(true);
+    dialog.root_free->setChecked(true);
+    EXPECT_TRUE(dialog.people().startsWith("Ada, Bea: all suits are processed together"));
+    dialog.smoothed_whole->setChecked(true);
+    EXPECT_TRUE(dialog.people().startsWith("Ada, Bea: each suit is processed alone, since smoothing"));
+    const auto labels = dialog.findChildren<QLabel*>();
+    EXPECT_TRUE(std::ranges::any_of(
+        labels, [&](const QLabel* label) { return label->text().contains("since smoothing"); }));
+    const QString detail = page_->sidebar().runs().row(0)->detail();
+    EXPECT_TRUE(detail.contains("Ada, Bea: together, with ranges")) << detail.toStdString();
 }
 
 TEST_F(TwoPeopleTest, TheListOfResultsAndTheFullReportAreOfWhomIsShown) {

@@ -54,7 +54,7 @@ TEST_F(WizardFlow, Gyroscopes) {
 TEST_F(WizardFlow, RestPose) {
     connectRig({"--rig", "rest"});
     page_->open(WizardTask::kRestPose);
-    EXPECT_EQ(page_->wizard().intro().prerequisite(), "Gyroscopes come first");
+    EXPECT_EQ(page_->wizard().intro().prerequisite(), "Better after the gyroscopes");
     page_->closeWizard();
     open(WizardTask::kRestPose);
     const auto hand_m = [](const BodyFigure& figure) {
@@ -71,6 +71,8 @@ TEST_F(WizardFlow, RestPose) {
     }
     ASSERT_TRUE(reach(Phase::kResult)) << heard();
     EXPECT_NE(run().result()->grade(), Grade::kUnknown);
+    EXPECT_NE(whatWasFound().find("Made before the gyroscopes were calibrated"), std::string::npos)
+        << "as the card said";
     EXPECT_EQ(whatWasFound().find("marks no rest pose"), std::string::npos) << whatWasFound();
     EXPECT_EQ(whatWasFound().find(", moved at "), std::string::npos) << whatWasFound();
     save();

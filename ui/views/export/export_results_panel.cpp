@@ -22,7 +22,8 @@ namespace {
 Tone outcomeTone(const ExportOutcome& outcome) {
     if (outcome.error || !outcome.check.ok())
         return Tone::kError;
-    return outcome.check.silent.empty() && !outcome.check.isBelowFloor() ? Tone::kOk : Tone::kWarn;
+    return outcome.check.silent.empty() && outcome.check.floorRemedy() == FloorRemedy::kNone ? Tone::kOk
+                                                                                             : Tone::kWarn;
 }
 
 /// All is told of the first file and of those with faults, of others what may differ.
@@ -164,8 +165,8 @@ QWidget* ExportResultsPanel::makeCard(const ExportOutcome& outcome, bool in_full
         auto* line = addRow(column, 0, {24, 0, 0, 0});
         line->addWidget((new Label(text, TextRole::kSecondary, ink))->wrapped()->selectable());
     };
-    if (check.isBelowFloor())
-        addLine(belowFloorInWords(check), Ink::kWarn);
+    if (const QString below = belowFloorInWords(check); !below.isEmpty())
+        addLine(below, Ink::kWarn);
     for (const SilentBoard& silent : check.silent)
         addLine(silenceInWords(silent), Ink::kWarn);
     for (const std::string& fault : check.faults)

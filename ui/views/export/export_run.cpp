@@ -275,10 +275,38 @@ QString heightInWords(const ExportCheck& check, Units units) {
 }
 
 QString belowFloorInWords(const ExportCheck& check, Units units) {
-    return RunWords::tr(
-               "The figure goes %1 below the floor. Process the take with a level floor, or move the "
-               "motion up in the program that reads it.")
-        .arg(lengthText(-check.lowest_m, 2, units));
+    const QString lowest = lengthText(-check.lowest_m, 2, units),
+                  usual = lengthText(-check.usual_lowest_m, 2, units);
+    switch (check.floorRemedy()) {
+        case FloorRemedy::kNone:
+            break;
+        case FloorRemedy::kHoldFeet:
+            return RunWords::tr(
+                       "The figure goes %1 below the floor: this result holds no feet on it. If they stood "
+                       "on a level floor, process the take with filter Noctule, gyroscopes and Level floor.")
+                .arg(lowest);
+        case FloorRemedy::kLevelGround:
+            return RunWords::tr(
+                       "The figure goes %1 below the floor of the rest pose, as it may on uneven ground. If "
+                       "the floor was level, process the take with Level floor.")
+                .arg(lowest);
+        case FloorRemedy::kMoveUp:
+            return RunWords::tr(
+                       "The figure stands %1 below the floor. Move the motion up by that in the program "
+                       "that reads it.")
+                .arg(usual);
+        case FloorRemedy::kOtherSystem:
+            return RunWords::tr(
+                       "The figure stands %1 below the floor: its height is that of the other system. "
+                       "Correct the floor there, or move the motion up in the program that reads it.")
+                .arg(usual);
+        case FloorRemedy::kRoom:
+            return RunWords::tr(
+                       "The figure stands %1 below the floor: its height is that of the anchors. Check how "
+                       "high they hang, or move the motion up in the program that reads it.")
+                .arg(usual);
+    }
+    return {};
 }
 
 QString facingInWords(const ExportCheck& check) {
@@ -328,8 +356,8 @@ QStringList motionLines(const ExportCheck& check) {
               << RunWords::tr("Facing: %1").arg(facingInWords(check));
     lines << RunWords::tr("Joints: %1 of %2").arg(check.joints).arg(check.expected_joints)
           << RunWords::tr("Largest difference to the take: %1").arg(differenceInWords(check));
-    if (check.isBelowFloor())
-        lines << belowFloorInWords(check, Units::kMetric);
+    if (const QString below = belowFloorInWords(check, Units::kMetric); !below.isEmpty())
+        lines << below;
     return lines;
 }
 

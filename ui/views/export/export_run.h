@@ -66,7 +66,7 @@ QString checkAsText(const ExportResults& results);
 /// "1.78 m, feet on the floor", "+Z, left hand to +X", "0.0004°, 0.001 mm".
 QString heightInWords(const ExportCheck& check, Units units = chosenUnits());
 QString facingInWords(const ExportCheck& check);
-/// Of one that isBelowFloor(): how far, and what to do.
+/// How far, and what helps (ExportCheck::floorRemedy()); empty: nothing is to be said.
 QString belowFloorInWords(const ExportCheck& check, Units units = chosenUnits());
 QString differenceInWords(const ExportCheck& check);
 /// Of a picture or film: "1280 × 720 pixels".

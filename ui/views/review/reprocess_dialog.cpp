@@ -64,6 +64,9 @@ ReprocessDialog::ReprocessDialog(Studio& studio, const TakeOverview& overview, Q
       overview_(overview) {
     auto* sides = new QWidget;
     auto* row = makeRow(sides, {0, 8, 8, 0}, 20);
+    people_ = new Label({}, TextRole::kBody, Ink::kValue);
+    people_->setVisible(overview.subjects.size() > 1);
+    content()->addWidget(people_->wrapped());
     content()->addWidget(new ScrollArea(sides), 1);
     setWide(1024);
     std::array<QBoxLayout*, 3> columns;  // two would be higher than the smallest screen
@@ -169,6 +172,8 @@ void ReprocessDialog::addSmoothing(QBoxLayout& into) {
     const std::vector<ChoiceRow*> rows{not_smoothed, smoothed_half_second, smoothed_whole, most_probable};
     addGroup(into, tr("Smoothing"), {rows.begin(), rows.end()});
     keepOneChosen(this, rows);
+    for (ChoiceRow* row : rows)
+        connect(row->button(), &QAbstractButton::toggled, this, [this] { people_->setText(people()); });
     (areTogether() ? not_smoothed : smoothed_whole)->setChecked(true);
 }
 
@@ -306,11 +311,32 @@ void ReprocessDialog::showLack() {
             : tr("The result will be less exact: there is no calibration of %1.").arg(lackWords(lack)));
 }
 
+QString ReprocessDialog::people() const {
+    QStringList names;
+    for (const TakeSubject& subject : overview_.subjects)
+        names += QString::fromStdString(subject.name);
+    const QString all = names.join(tr(", "));
+    if (!areTogether())
+        return tr("%1: each suit is processed alone, since they measure no distances.").arg(all);
+    if (independent->isChecked() || paper->isChecked())
+        return tr("%1: each suit is processed alone, since this filter knows one body only.").arg(all);
+    if (!not_smoothed->isChecked())
+        return tr("%1: each suit is processed alone, since smoothing goes over one body only.").arg(all);
+    if (root_given->isChecked())
+        return tr("%1: each suit is processed alone, since another system says where everybody is.").arg(all);
+    if (!distances->isChecked())
+        return tr("%1: each suit is processed alone, since no distances are used.").arg(all);
+    return tr("%1: all suits are processed together, with the ranges between them, where they heard each "
+              "other.")
+        .arg(all);
+}
+
 void ReprocessDialog::refresh() {
     const bool any = independent->isChecked() || accelerometers->isChecked() || gyroscopes->isChecked() ||
                      distances->isChecked();
     actionButton()->setDisabledBecause(any ? QString() : tr("Choose at least one kind of sensor."));
     showLack();
+    people_->setText(people());
     process_row_->setVisible(paper->isChecked());
     const bool alone = independent->isChecked();
     const QString only_ours = paper->isChecked() ? tr("The filter of the paper has no smoother.") : QString(),

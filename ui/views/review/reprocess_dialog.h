@@ -15,6 +15,7 @@ class QLineEdit;
 namespace noctule::ui {
 
 class ChoiceRow;
+class Label;
 
 class ReprocessDialog : public DialogFrame {
     Q_OBJECT
@@ -35,6 +36,8 @@ public:
     QLineEdit* name;
 
     void setCalibrationFile(const QString& path);
+    /// Which suits are processed and how, by their performers: "Ada, Ben: all suits are processed together".
+    QString people() const;
 
 private:
     void addSensors(QBoxLayout& into);
@@ -55,6 +58,7 @@ private:
     Studio& studio_;
     const TakeOverview overview_;
     QWidget* process_row_;
+    Label* people_;
     QDoubleSpinBox* process_sigma_;
     std::optional<Calibration> calibration_;
     QString file_problem_;

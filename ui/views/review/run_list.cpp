@@ -48,9 +48,11 @@ void RunList::refresh() {
 
 QString RunList::detail(int run) const {
     const TakeDocument& take = review_.take();
-    const QString use = useInWords(run);
-    return take.overview()->runs[static_cast<size_t>(run)].settings.root_given ? tr("%1, root given").arg(use)
-                                                                               : use;
+    const ReviewRun& result = take.overview()->runs[static_cast<size_t>(run)];
+    const QString use = useInWords(run), people = peopleInWords(result);
+    if (!people.isEmpty())
+        return tr("%1; %2", "use of a result, performers").arg(use, people);
+    return result.settings.root_given ? tr("%1, root given").arg(use) : use;
 }
 
 QString RunList::useInWords(int run) const {
