@@ -4600,6 +4600,14 @@
         <translation>Platine %1 hat keine Zeile mit Gyroskop und Beschleunigungssensor zugleich und wurde ausgelassen</translation>
     </message>
     <message>
+        <source>Board %1 paused for %2 s in all, first at %3 s. How it turned meanwhile is a guess from the readings around</source>
+        <translation>Platine %1 pausierte insgesamt %2 s, zuerst bei %3 s. Wie sie sich währenddessen drehte, ist aus den Messwerten davor und danach geschätzt</translation>
+    </message>
+    <message>
+        <source>Board %1: the clock stands still or jumps back at %2 readings, which were left out</source>
+        <translation>Platine %1: Die Uhr steht oder springt zurück bei %2 Messwerten, die ausgelassen wurden</translation>
+    </message>
+    <message>
         <source>Calibrate takes of one suit at a time</source>
         <translation>Aufnahmen eines einzigen Anzugs auf einmal kalibrieren</translation>
     </message>
