@@ -216,9 +216,13 @@ private:
     void judgeBoards() {
         Grade worst = Grade::kGood;
         for (size_t b = 0; b < report_.boards.size(); ++b) {
-            const double lost = report_.boards[b].lostShare();
+            const ReportBoard& board = report_.boards[b];
+            const double lost = board.lostShare();
+            const bool came_or_went = 2 * board.frames_absent > board.frames_lost;
             if (lost > limits_.good_lost)
-                verdict_.lossy_boards.push_back({static_cast<int>(b), lost});
+                verdict_.lossy_boards.push_back({static_cast<int>(b), lost,
+                                                 came_or_went ? board.joined_s : std::nullopt,
+                                                 came_or_went ? board.left_s : std::nullopt});
             worst = std::max(worst, lost > limits_.good_lost ? Grade::kUsable : Grade::kGood);
         }
         std::stable_sort(
@@ -226,7 +230,10 @@ private:
             [](const VerdictBoard& a, const VerdictBoard& b) { return a.lost_share > b.lost_share; });
         const auto& lossy = verdict_.lossy_boards;
         verdict_.lost_together = lossy.size() > 2 && lossy.size() == report_.boards.size() &&
-                                 lossy.front().lost_share - lossy.back().lost_share < kLostTogether;
+                                 lossy.front().lost_share - lossy.back().lost_share < kLostTogether &&
+                                 std::ranges::all_of(report_.boards, [](const ReportBoard& board) {
+                                     return board.frames_absent == 0;
+                                 });
         // One dead board costs one segment; when most boards lose much, it is the link.
         const auto many = static_cast<size_t>(
             std::count_if(verdict_.lossy_boards.begin(), verdict_.lossy_boards.end(),

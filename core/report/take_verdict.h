@@ -62,6 +62,7 @@ struct VerdictJoint {
 struct VerdictBoard {
     int board = 0;  ///< index into the suit
     double lost_share = 0;
+    std::optional<double> joined_s{}, left_s{};  ///< take's clock, where that is most of the loss
 };
 
 /// A source or a board whose ranges miss the pose, though those of the others do not.

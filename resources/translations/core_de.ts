@@ -6437,6 +6437,18 @@
         <translation>%1lieferte %2 ihrer Messwerte. Stecker und Kabel prüfen.</translation>
     </message>
     <message>
+        <source>%1joined at %2 and left at %3.</source>
+        <translation>%1von %2 bis %3 dabei.</translation>
+    </message>
+    <message>
+        <source>%1joined at %2.</source>
+        <translation>%1ab %2 dabei.</translation>
+    </message>
+    <message>
+        <source>%1left at %2.</source>
+        <translation>%1nur bis %2 dabei.</translation>
+    </message>
+    <message>
         <source>%1lost %2 of its frames. Check its plug and cable.</source>
         <translation>%1verlor %2 ihrer Rahmen. Stecker und Kabel prüfen.</translation>
     </message>
@@ -6503,6 +6515,10 @@
     <message>
         <source>Against the calibration in force.</source>
         <translation>Gegen die gültige Kalibrierung.</translation>
+    </message>
+    <message>
+        <source>All boards</source>
+        <translation>Alle Platinen</translation>
     </message>
     <message>
         <source>All boards lost %1 of their frames together: the link to the driver box broke off or was too slow. Check its cable or network.</source>

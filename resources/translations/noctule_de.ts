@@ -8722,6 +8722,18 @@ Median; gut: unter %1</translation>
         <translation>Sie haben sie zugleich verloren: Die Verbindung zur Steuerbox riss ab oder war zu langsam. Vor der nächsten Aufnahme ihr Kabel oder das Netzwerk prüfen.</translation>
     </message>
     <message>
+        <source>%1 joined at %2</source>
+        <translation>%1 kam bei %2 dazu</translation>
+    </message>
+    <message>
+        <source>%1 left at %2</source>
+        <translation>%1 fiel bei %2 weg</translation>
+    </message>
+    <message>
+        <source>Its neighbours carry it while it is not there. See that all boards deliver before the next take begins.</source>
+        <translation>Die Nachbarn tragen sie, solange sie fehlt. Darauf achten, dass alle Platinen liefern, bevor die nächste Aufnahme beginnt.</translation>
+    </message>
+    <message>
         <source>%1 lost %2 of its frames</source>
         <translation>%1 hat %2 ihrer Rahmen verloren</translation>
     </message>

@@ -194,6 +194,22 @@ TEST_F(TakeVerdictTest, LossyBoardsAreListedWorstFirst) {
     EXPECT_FALSE(this->verdict().lost_together) << "one lost more than the link did";
 }
 
+TEST_F(TakeVerdictTest, BoardsThatComeAndGoAreSaidSo) {
+    for (ReportBoard& board : report_.boards)
+        board.frames_lost = board.frames_absent = 1000, board.joined_s = 7.1;
+    report_.boards[7].frames_lost = 1400;
+    report_.boards[7].left_s = 12;
+    const TakeVerdict verdict = this->verdict();
+    EXPECT_FALSE(verdict.lost_together);
+    EXPECT_EQ(verdict.lossy_boards.front().joined_s, 7.1);
+    std::string reasons;
+    for (const std::string& reason : judge(report_).reasons)
+        reasons += reason + "\n";
+    EXPECT_NE(reasons.find("All boards joined at 0:07."), std::string::npos) << reasons;
+    EXPECT_NE(reasons.find("joined at 0:07 and left at 0:12."), std::string::npos) << reasons;
+    EXPECT_EQ(reasons.find("driver box"), std::string::npos) << reasons;
+}
+
 TEST_F(TakeVerdictTest, HolesAreMergedBeforeTheyAreMeasured) {
     report_.gaps_s = {{5, 5.2}, {5.1, 5.3}, {5.3, 5.4}, {19.95, 30}};
     const TakeVerdict verdict = this->verdict();
