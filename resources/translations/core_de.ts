@@ -2891,6 +2891,10 @@
         <translation>Textexport von MT Manager, eine Datei je Sensor</translation>
     </message>
     <message>
+        <source>MVNX holds no gyroscope, and this file no sensorFreeAcceleration: its sensors have attitudes alone</source>
+        <translation>MVNX enthält kein Gyroskop und diese Datei keine sensorFreeAcceleration: Ihre Sensoren haben nur Lagen</translation>
+    </message>
+    <message>
         <source>MVNX holds no gyroscope; accelerations were derived from sensorFreeAcceleration, gravity and the sensors' attitudes</source>
         <translation>MVNX enthält kein Gyroskop; Beschleunigungen wurden aus sensorFreeAcceleration, Schwerkraft und den Lagen der Sensoren abgeleitet</translation>
     </message>
@@ -2929,6 +2933,10 @@
     <message>
         <source>No file given is of the kind %1</source>
         <translation>Keine angegebene Datei ist von der Art %1</translation>
+    </message>
+    <message>
+        <source>No frame has the orientations of all segments, so the file brings no reference</source>
+        <translation>Kein Einzelbild hat die Orientierungen aller Segmente; die Datei bringt darum keine Referenz mit</translation>
     </message>
     <message>
         <source>Noctule's (X west or left, Y up, Z north or forward)</source>
@@ -3005,6 +3013,10 @@
     <message>
         <source>The file has no attitudes of sensors; those of its segments stand for them</source>
         <translation>Die Datei enthält keine Lagen von Sensoren; die ihrer Glieder stehen dafür</translation>
+    </message>
+    <message>
+        <source>The file has no positions: its reference tells orientations alone, and its root stays in place</source>
+        <translation>Die Datei hat keine Positionen: Ihre Referenz kennt nur Orientierungen, und ihre Wurzel bleibt am Ort</translation>
     </message>
     <message>
         <source>The file has no whole body with positions, so it brings no reference</source>
