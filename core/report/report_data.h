@@ -125,10 +125,11 @@ struct ReportData {
     std::vector<std::pair<int, int>>
         chosen_pairs;  ///< source, board for the curves; empty: chosen by segment
     std::vector<JointSupport> support;
-    std::vector<std::pair<double, double>> gaps_s;  ///< without any signal; may overlap
-    CalibrationLack lack;                           ///< of what the shown run was made with
-    bool people_apart = false;                      ///< not all performers' places to each other are known
-    std::vector<std::string> unjoined;              ///< those of them who stand alone; empty: all do
+    std::vector<std::pair<double, double>> gaps_s;       ///< without any signal; may overlap
+    CalibrationLack lack;                                ///< of what the shown run was made with
+    int64_t distances_given = 0, distances_refused = 0;  ///< of a take of readings; refused: no such distance
+    bool people_apart = false;          ///< not all performers' places to each other are known
+    std::vector<std::string> unjoined;  ///< those of them who stand alone; empty: all do
     std::vector<std::pair<std::string, NamedValues>>
         provenance;                     ///< headed lists: calibration, versions, ...
     std::vector<std::string> warnings;  ///< whole sentences found while reading or processing

@@ -43,6 +43,7 @@ public:
         judgeCalibration();
         judgeSupport();
         judgeResidual();
+        judgeDistances();
         judgeBoards();
         judgeHoles();
         charge(VerdictReason::kPeopleApart, report_.people_apart ? Grade::kUsable : Grade::kGood);
@@ -183,6 +184,21 @@ private:
                     gradeOf(verdict_.astray->median_m, limits_.good_residual_m, limits_.usable_residual_m);
         }
         charge(VerdictReason::kResidual, grade);
+    }
+
+    /// Against a reference too: poses that fit without distances say nothing of those.
+    void judgeDistances() {
+        if (run_->sensors.find('D') == std::string::npos)
+            return;
+        if (report_.distances_given > 0)
+            verdict_.refused_share =
+                static_cast<double>(report_.distances_refused) / static_cast<double>(report_.distances_given);
+        const RangeStatistics ranges = rangeStatistics(report_.pairs);
+        const auto rejected = static_cast<double>(ranges.of(PulseFate::kRejected));
+        const double tried = static_cast<double>(ranges.of(PulseFate::kUsed)) + rejected;
+        const bool thrown_out = !isExplained() && rejected > limits_.good_refused * tried;
+        if (thrown_out || verdict_.refused_share > limits_.good_refused)
+            charge(VerdictReason::kDistances, Grade::kUsable);
     }
 
     /// The source or board whose ranges miss the pose most, if they do. One source that points elsewhere is

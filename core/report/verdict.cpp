@@ -96,6 +96,12 @@ std::string reasonSentence(VerdictReason reason, const ReportData& data, const R
             return supportSentence(data, judged);
         case VerdictReason::kResidual:
             return residualSentence(data, judged);
+        case VerdictReason::kDistances:
+            return judged.refused_share > VerdictLimits{}.good_refused
+                       ? text::percent(judged.refused_share) +
+                             " of the take's distances cannot be: they lie below 0 or beyond 20 m. Give "
+                             "them in metres."
+                       : "";
         case VerdictReason::kHole:
             return "No signal for " + text::number(judged.longest_hole_s, 2) +
                    " s in one piece: the pose is a guess there.";

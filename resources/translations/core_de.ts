@@ -6035,6 +6035,10 @@
         <translation>nennt niemanden außer dem Raum</translation>
     </message>
     <message>
+        <source>nearly all are: they look like millimetres</source>
+        <translation>fast alle liegen dort: Sie sehen nach Millimetern aus</translation>
+    </message>
+    <message>
         <source>nothing of %1</source>
         <translation>nichts von %1</translation>
     </message>
@@ -6161,6 +6165,14 @@
     <message>
         <source>the computed poses</source>
         <translation>den berechneten Posen</translation>
+    </message>
+    <message>
+        <source>the distance is below 0</source>
+        <translation>der Abstand liegt unter 0</translation>
+    </message>
+    <message>
+        <source>the distance is beyond 20 m, farther than sound carries</source>
+        <translation>der Abstand liegt über 20 m, weiter als der Schall trägt</translation>
     </message>
     <message>
         <source>the external root</source>
@@ -6387,6 +6399,10 @@
     <message>
         <source>%1 of the readings are present</source>
         <translation>%1 der Messwerte sind vorhanden</translation>
+    </message>
+    <message>
+        <source>%1 of the take's distances cannot be: they lie below 0 or beyond 20 m. Give them in metres.</source>
+        <translation>%1 der Abstände der Aufnahme sind unmöglich: Sie liegen unter 0 oder über 20 m. Sie in Metern angeben.</translation>
     </message>
     <message>
         <source>%1 s of movement</source>

@@ -8722,6 +8722,14 @@ Median; gut: unter %1</translation>
         <translation>Sie haben sie zugleich verloren: Die Verbindung zur Steuerbox riss ab oder war zu langsam. Vor der nächsten Aufnahme ihr Kabel oder das Netzwerk prüfen.</translation>
     </message>
     <message>
+        <source>Most distances cannot be used</source>
+        <translation>Die meisten Abstände sind nicht brauchbar</translation>
+    </message>
+    <message>
+        <source>They lie below 0 or beyond 20 m, or miss the pose by far. Check the unit of recordings from elsewhere, else source offsets and places of boards.</source>
+        <translation>Sie liegen unter 0 oder über 20 m oder weit neben der Haltung. Bei fremden Aufnahmen die Einheit prüfen, sonst die Versätze der Quellen und den Sitz der Platinen.</translation>
+    </message>
+    <message>
         <source>%1 joined at %2</source>
         <translation>%1 kam bei %2 dazu</translation>
     </message>

@@ -328,6 +328,12 @@ std::vector<ProblemWords> problemsInWords(const TakeVerdict& verdict, const Take
             case VerdictReason::kResidual:
                 words = residualProblem(verdict, overview);
                 break;
+            case VerdictReason::kDistances:
+                words.title = Words::tr("Most distances cannot be used");
+                words.text = Words::tr(
+                    "They lie below 0 or beyond 20 m, or miss the pose by far. Check the unit of recordings "
+                    "from elsewhere, else source offsets and places of boards.");
+                break;
             case VerdictReason::kBoardLost:
                 words = boardProblem(verdict, overview);
                 break;

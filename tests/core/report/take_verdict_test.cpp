@@ -226,6 +226,16 @@ TEST_F(TakeVerdictTest, LargeResidualsAreAReason) {
     EXPECT_EQ(verdict().reasons, std::vector{VerdictReason::kResidual});
 }
 
+TEST_F(TakeVerdictTest, MostDistancesThrownOutIsNeverGood) {
+    for (ReportPair& pair : report_.pairs)
+        for (PulseAtBoard& pulse : pair.pulses)
+            if (pulse.fate == PulseFate::kUsed)
+                pulse.fate = PulseFate::kRejected;
+    compare(1);
+    EXPECT_EQ(verdict().grade, Grade::kUsable) << "a small error too tells nothing of the distances";
+    EXPECT_EQ(std::ranges::count(verdict().reasons, VerdictReason::kDistances), 1);
+}
+
 TEST_F(TakeVerdictTest, AnUncalibratedTakeHasOneReasonAndNoOther) {
     report_.lack = lackOf(suit_, Calibration{});
     for (JointSupport& support : report_.support)
