@@ -3063,8 +3063,8 @@
         <translation>Timestamp (us),Gyroscope X</translation>
     </message>
     <message>
-        <source>Write a map as core/import/README.md shows (--map MAP.json)</source>
-        <translation>Eine Zuordnung schreiben, wie core/import/README.md zeigt (--map MAP.json)</translation>
+        <source>Give a map of the columns with --map MAP.json; noctule --batch import --help shows one</source>
+        <translation>Mit --map MAP.json eine Zuordnung der Spalten angeben; noctule --batch import --help zeigt eine</translation>
     </message>
     <message>
         <source>Write enu, nwu, ned, opensim or noctule</source>
