@@ -259,6 +259,11 @@ Verb importVerb() {
         "or .ximu3), OpenSense .sto, and any table with --map.",
         "Sensors, rates, units, axes and gaps are shown before the take is made. Units are checked by what "
         "gravity shows; every conversion and assumption is said.",
+        "A table's map: {\"format\": \"noctule-import-map\", \"version\": 1, \"time\": {\"column\": \"t\", "
+        "\"unit\": \"ms\"}, \"sensors\": [{\"id\": \"wrist\", \"segment\": \"LeftForeArm\", \"gyro\": "
+        "[\"gx\", \"gy\", \"gz\"], \"gyro_unit\": \"deg/s\", \"accel\": [\"ax\", \"ay\", \"az\"], "
+        "\"accel_unit\": \"g\"}]}. Columns are names of the header or numbers from 1; rate_hz may stand for "
+        "time.",
         "--map-template writes {\"sensors\": [{\"id\": \"42268\", \"segment\": null}]}: write the segments, "
         "and give the file with --map.",
         "--assign auto tells by walking or free movement of ten seconds and more which of 7, 8 or 16 sensors "

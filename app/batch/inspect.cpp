@@ -114,11 +114,18 @@ std::string boardsText(const SuitInspection& in) {
         const double share = board.readings_expected == 0 ? 0
                                                           : static_cast<double>(board.readings_present) /
                                                                 static_cast<double>(board.readings_expected);
-        std::snprintf(row, sizeof row, "  %-14s %10lld %10lld %10s %10lld\n", headOfRow(board.id).c_str(),
+        std::snprintf(row, sizeof row, "  %-14s %10lld %10lld %10s %10lld", headOfRow(board.id).c_str(),
                       static_cast<long long>(board.frames_expected),
                       static_cast<long long>(board.frames_lost), percent(share).c_str(),
                       static_cast<long long>(board.clipped_gyro + board.clipped_accel));
         text += row;
+        for (const auto& [when_s, what] :
+             {std::pair(board.joined_s, "joined"), std::pair(board.left_s, "left")})
+            if (when_s) {
+                std::snprintf(row, sizeof row, "  %s at %.2f s", what, *when_s);
+                text += row;
+            }
+        text += '\n';
     }
     return text;
 }

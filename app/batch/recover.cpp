@@ -109,7 +109,8 @@ Result<Outcome> recoverNow(const Candidate& take, const std::string& target, con
     char seconds[32] = "";
     if (const Result<Take> saved = Take::open(target); saved && saved->duration_s()) {
         duration_s = *saved->duration_s();
-        std::snprintf(seconds, sizeof seconds, "%.2f s ", *saved->duration_s());
+        if (*saved->duration_s() > 0)
+            std::snprintf(seconds, sizeof seconds, "%.2f s ", *saved->duration_s());
     }
     Outcome outcome{
         {{"take", path}, {"state", "recovered"}, {"recovered", target}, {"duration_s", duration_s}},

@@ -318,9 +318,10 @@ Result<ImportedRecording> readCsv(const std::vector<ImportFile>& files, const Im
     if (!head)
         return head.error();
     if (!choice.map.is_object())
-        return Error{ErrorKind::kUsage,
-                     file.path + ": a table needs a map of its columns; they are " + listOf(head->names),
-                     "Write a map as core/import/README.md shows (--map MAP.json)"};
+        return Error{
+            ErrorKind::kUsage,
+            file.path + ": a table needs a map of its columns; they are " + listOf(head->names),
+            "Give a map of the columns with --map MAP.json; noctule --batch import --help shows one"};
     return readMapped(file, *head, choice, job);
 }
 

@@ -99,13 +99,21 @@ public:
         return Done{};
     }
 
+    /// The optical system saw the only sensor at some time.
+    bool seesSensor() const {
+        for (size_t i = 0; i < recording_.q_world_sensor.size(); ++i)
+            if (seesSensorAt(i))
+                return true;
+        return false;
+    }
+
     Status reference(double rate_hz) {
         for (size_t i = 0; i < recording_.q_world_sensor.size(); ++i) {
             TimedPose timed;
             timed.time_ns = std::llround(double(i) / rate_hz * 1e9);
-            const Quaterniond& q = recording_.q_world_sensor[i];
-            if (q.coeffs().allFinite() && recording_.p_world_sensor_m[i].allFinite())
-                timed.pose = Pose{recording_.p_world_sensor_m[i], {q.normalized()}};
+            if (seesSensorAt(i))
+                timed.pose =
+                    Pose{recording_.p_world_sensor_m[i], {recording_.q_world_sensor[i].normalized()}};
             if (Status added = take_.addReference(timed); !added)
                 return added;
         }
@@ -113,6 +121,10 @@ public:
     }
 
 private:
+    bool seesSensorAt(size_t i) const {
+        return recording_.q_world_sensor[i].coeffs().allFinite() &&
+               recording_.p_world_sensor_m[i].allFinite();
+    }
     double sensor_offset_s(size_t sensor) const { return recording_.sensors[sensor].offset_s; }
 
     static bool hasAny(const InertialReading& reading) {
@@ -194,7 +206,9 @@ Status writeAll(const ImportedRecording& recording, TakeWriter& take, const Impo
         return written;
     if (Status set = take.setMeta("x_import", importJson(recording).dump()); !set)
         return set;
-    if (recording.reference) {
+    if (recording.reference && std::ranges::any_of(recording.reference->frames, [](const TimedPose& timed) {
+            return timed.pose.has_value();
+        })) {
         summary.has_reference = true;
         if (Status set = take.setMeta("reference_kind", recording.format); !set)
             return set;
@@ -206,7 +220,7 @@ Status writeAll(const ImportedRecording& recording, TakeWriter& take, const Impo
             return set;
         return writer.bodyReference();
     }
-    if (recording.q_world_sensor.empty())
+    if (!writer.seesSensor())
         return Done{};
     summary.has_reference = true;
     if (Status set = take.setMeta("reference_kind", "optical"); !set)

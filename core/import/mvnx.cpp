@@ -30,6 +30,15 @@ Quaterniond rotationAt(const std::vector<double>& numbers, size_t i) {
                                        : missingRotation();
 }
 
+bool anyFrameHas(const MvnxFile& file, std::vector<double> MvnxFrame::*list) {
+    return std::ranges::any_of(file.frames, [&](const MvnxFrame& frame) { return !(frame.*list).empty(); });
+}
+/// Accelerations of sensors can be derived.
+bool hasForce(const MvnxFile& file) {
+    return anyFrameHas(file, &MvnxFrame::free_acceleration) &&
+           anyFrameHas(file, &MvnxFrame::sensor_orientation);
+}
+
 /// Segments from the root outwards: place in the file, and place of the parent in this list.
 struct OrderedSegment {
     size_t segment;
@@ -133,10 +142,11 @@ std::optional<Skeleton> skeletonOf(const MvnxFile& file, const std::vector<Order
     return skeleton ? std::optional(*skeleton) : std::nullopt;
 }
 
+/// `p_file_root`: where the root stands in a file without positions.
 std::optional<Pose> poseOf(const MvnxFrame& frame, const std::vector<OrderedSegment>& order,
-                           const Quaterniond& turn) {
+                           const Quaterniond& turn, const std::optional<Vector3d>& p_file_root) {
     Pose pose;
-    pose.p_world_root = turn * vectorAt(frame.position, order[0].segment);
+    pose.p_world_root = turn * p_file_root.value_or(vectorAt(frame.position, order[0].segment));
     bool whole = pose.p_world_root.allFinite() && pose.p_world_root.norm() < 1e5;
     for (const OrderedSegment& one : order) {
         Quaterniond q = rotationAt(frame.orientation, one.segment);
@@ -156,13 +166,24 @@ void takeMvnxReference(const MvnxFile& file, const RowGrid& grid, const Quaterni
         recording.warnings.push_back("The file has no whole body with positions, so it brings no reference");
         return;
     }
+    std::optional<Vector3d> p_file_root;
+    if (!anyFrameHas(file, &MvnxFrame::position))
+        p_file_root = vectorAt(lengthsOf(file)->position, order[0].segment);
     TimedMotion motion;
     motion.skeleton = *skeleton;
     for (size_t row = 0; row < grid.rows; ++row)
         if (grid.from[row] != RowGrid::kNoRow)
             motion.frames.push_back({std::llround(double(row) / grid.rate_hz * 1e9),
-                                     poseOf(file.frames[grid.from[row]], order, turn),
+                                     poseOf(file.frames[grid.from[row]], order, turn, p_file_root),
                                      {}});
+    if (std::ranges::none_of(motion.frames, [](const TimedPose& timed) { return timed.pose.has_value(); })) {
+        recording.warnings.push_back(
+            "No frame has the orientations of all segments, so the file brings no reference");
+        return;
+    }
+    if (p_file_root)
+        recording.warnings.push_back(
+            "The file has no positions: its reference tells orientations alone, and its root stays in place");
     recording.reference = std::move(motion);
 }
 
@@ -175,12 +196,8 @@ Vector3d specificForce(const MvnxFrame& frame, size_t sensor) {
 
 SensorRows rowsOfSensor(const MvnxFile& file, size_t sensor, const Quaterniond& turn) {
     SensorRows rows;
-    const auto any = [&](std::vector<double> MvnxFrame::*list) {
-        return std::any_of(file.frames.begin(), file.frames.end(),
-                           [&](const MvnxFrame& frame) { return !(frame.*list).empty(); });
-    };
-    const bool has_force = any(&MvnxFrame::free_acceleration) && any(&MvnxFrame::sensor_orientation);
-    const bool has_field = any(&MvnxFrame::magnetic_field);
+    const bool has_force = hasForce(file);
+    const bool has_field = anyFrameHas(file, &MvnxFrame::magnetic_field);
     for (const MvnxFrame& frame : file.frames) {
         rows.q_world_sensor.push_back(turn * rotationAt(frame.sensor_orientation, sensor));
         if (has_force)
@@ -201,9 +218,7 @@ SensorRows rowsOfSegment(const MvnxFile& file, size_t segment, const Quaterniond
 
 void takeSensors(const MvnxFile& file, const RowGrid& grid, const Quaterniond& turn,
                  ImportedRecording& recording) {
-    const bool has_sensors = std::any_of(file.frames.begin(), file.frames.end(), [](const MvnxFrame& frame) {
-        return !frame.sensor_orientation.empty();
-    });
+    const bool has_sensors = anyFrameHas(file, &MvnxFrame::sensor_orientation);
     const auto& names = has_sensors ? file.sensors : file.segments;
     for (size_t i = 0; i < names.size(); ++i)
         recording.sensors.push_back(
@@ -212,6 +227,10 @@ void takeSensors(const MvnxFile& file, const RowGrid& grid, const Quaterniond& t
     if (!has_sensors)
         recording.warnings.push_back(
             "The file has no attitudes of sensors; those of its segments stand for them");
+    else if (!hasForce(file))
+        recording.warnings.push_back(
+            "MVNX holds no gyroscope, and this file no sensorFreeAcceleration: its sensors have attitudes "
+            "alone");
     else
         recording.warnings.push_back(
             "MVNX holds no gyroscope; accelerations were derived from "

@@ -31,7 +31,8 @@ inline constexpr int64_t kBeyondTake_ns =
 
 // Numbers of a row
 inline constexpr double kLargestCount = 1e6;                ///< of inertial readings; converters have 16 bits
-inline constexpr double kFarthest_m = 100'000;              ///< positions and distances; sound carries 20 m
+inline constexpr double kFarthest_m = 100'000;              ///< of positions
+inline constexpr double kFarthestHeard_m = 20;              ///< measured distances: sound carries no farther
 inline constexpr double kColdest_c = -60, kHottest_c = 90;  ///< air in which a suit is worn, and some more
 
 // Texts, in bytes of UTF-8; longer ones are cut

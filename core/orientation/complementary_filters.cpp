@@ -55,12 +55,14 @@ Vector3d levelled(const Vector3d& field, const Vector3d& up) {
 
 template <class Correct>
 std::vector<Quaterniond> integrate(const ImuSamples& samples, const Correct& correct) {
-    const double dt_s = 1 / samples.rate_hz;
     const FieldReference reference = initialReference(samples);
     Quaterniond q = reference.q_world_sensor;
     std::vector<Quaterniond> out;
     out.reserve(samples.size());
     for (size_t i = 0; i < samples.size(); ++i) {
+        const double dt_s = samples.interval_s(i);
+        if (const double pause_s = samples.pause_s(i); pause_s > 0)
+            q = q * expQuaternion(samples.rateInPause_rad_per_s(i) * pause_s);
         const Vector3d& rate = samples.gyro_rad_per_s[i];
         Vector3d turn = rate.allFinite() ? Vector3d(rate * dt_s) : Vector3d::Zero();
         if (samples.accel_m_per_s2[i].allFinite() && !samples.accel_m_per_s2[i].isZero())

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/math/rotation.h"
 #include "core/orientation/error_filter.h"
@@ -72,11 +73,7 @@ private:
 class Filter {
 public:
     Filter(const ImuSamples& samples, const OrientationSettings& settings)
-        : samples_(samples),
-          settings_(settings),
-          dt_s_(1 / samples.rate_hz),
-          P_(startCovariance(settings)),
-          attitudes_(samples.size()) {
+        : samples_(samples), settings_(settings), P_(startCovariance(settings)), attitudes_(samples.size()) {
         const FieldReference reference = initialReference(samples);
         nominal_.q_world_sensor = reference.q_world_sensor;
         field_.strength = reference.strength;
@@ -128,53 +125,81 @@ private:
         field_count_ = 0;
         strength_sum_ = 0;
         for (size_t i = begin; i < end; ++i) {
+            const double dt_s = samples_.interval_s(i);
+            if (samples_.pause_s(i) > 0)
+                passPause(i);
             const Matrix3d R_before = nominal_.q_world_sensor.toRotationMatrix();
-            const Vector3d rate = integrateRate(i, R_before);
+            const Vector3d rate = integrateRate(i, dt_s, R_before);
             // Readings are means over their interval: the force is turned as the sensor stood in its middle.
-            integrateForce(i, R_before * expQuaternion(rate * (dt_s_ / 2)).toRotationMatrix());
-            rest_.add(samples_.gyro_rad_per_s[i], samples_.accel_m_per_s2[i], dt_s_);
+            integrateForce(i, dt_s, R_before * expQuaternion(rate * (dt_s / 2)).toRotationMatrix());
+            rest_.add(samples_.gyro_rad_per_s[i], samples_.accel_m_per_s2[i], dt_s);
             attitudes_[i] = nominal_.q_world_sensor;
             if (samples_.hasMag(i))
                 gatherField(i, R_before * rate);
+            transition_.dt_s += dt_s;
         }
-        transition_.dt_s = double(end - begin) * dt_s_;
         transition_.disturbance_decay = std::exp(-transition_.dt_s / settings_.disturbance_s);
         nominal_.disturbance_rad *= transition_.disturbance_decay;
     }
 
-    Vector3d integrateRate(size_t i, const Matrix3d& R) {
+    /// The turn goes on as it did around the pause, and counts as little as that of missing readings.
+    void passPause(size_t i) {
+        const double pause_s = samples_.pause_s(i);
+        transition_.dt_s += pause_s;
+        transition_.turn_by_bias -= pause_s * nominal_.q_world_sensor.toRotationMatrix();
+        transition_.missing_turn_rad2 += std::pow(kMissingRate_rad_per_s, 2) * pause_s / samples_.rate_hz;
+        transition_.missing_velocity_m2_per_s2 +=
+            std::pow(kMissingAccel_m_per_s2, 2) * pause_s / samples_.rate_hz;
+        const Vector3d rate = nominal_.rate(samples_.rateInPause_rad_per_s(i));
+        nominal_.q_world_sensor = nominal_.q_world_sensor * expQuaternion(rate * pause_s);
+    }
+
+    Vector3d integrateRate(size_t i, double dt_s, const Matrix3d& R) {
         const Vector3d& reading = samples_.gyro_rad_per_s[i];
-        transition_.turn_by_bias -= dt_s_ * R;
+        transition_.turn_by_bias -= dt_s * R;
         if (!reading.allFinite()) {
-            transition_.missing_turn_rad2 += std::pow(kMissingRate_rad_per_s * dt_s_, 2);
+            transition_.missing_turn_rad2 += std::pow(kMissingRate_rad_per_s * dt_s, 2);
             return Vector3d::Zero();
         }
-        transition_.turn_by_scale += dt_s_ * (R * reading.asDiagonal());
+        transition_.turn_by_scale += dt_s * (R * reading.asDiagonal());
         const Vector3d rate = nominal_.rate(reading);
-        nominal_.q_world_sensor = nominal_.q_world_sensor * expQuaternion(rate * dt_s_);
+        nominal_.q_world_sensor = nominal_.q_world_sensor * expQuaternion(rate * dt_s);
         return rate;
     }
 
-    void integrateForce(size_t i, const Matrix3d& R) {
+    void integrateForce(size_t i, double dt_s, const Matrix3d& R) {
         const Vector3d& reading = samples_.accel_m_per_s2[i];
         if (!reading.allFinite()) {
-            transition_.missing_velocity_m2_per_s2 += std::pow(kMissingAccel_m_per_s2 * dt_s_, 2);
+            transition_.missing_velocity_m2_per_s2 += std::pow(kMissingAccel_m_per_s2 * dt_s, 2);
             return;
         }
-        const Vector3d force_dt = dt_s_ * (R * (reading - nominal_.accel_bias_m_per_s2));
+        const Vector3d force_dt = dt_s * (R * (reading - nominal_.accel_bias_m_per_s2));
         transition_.force_dt += force_dt;
-        nominal_.place_m += dt_s_ * nominal_.velocity_m_per_s;
+        nominal_.place_m += dt_s * nominal_.velocity_m_per_s;
         nominal_.velocity_m_per_s += force_dt;
-        nominal_.velocity_m_per_s.y() -= kStandardGravity_m_per_s2 * dt_s_;
+        nominal_.velocity_m_per_s.y() -= kStandardGravity_m_per_s2 * dt_s;
+    }
+
+    /// Rows before `i` within the magnetometer's lag, and the time from the first of them to `i`.
+    std::pair<size_t, double> rowsOfLag(size_t i) const {
+        const double lag_s = std::clamp(nominal_.mag_lag_s, 0.0, kLongestLag_s);
+        size_t rows = 0;
+        double back_s = 0;
+        for (; rows < i; ++rows) {
+            const double farther_s = back_s + samples_.interval_s(i - rows) + samples_.pause_s(i - rows);
+            if (farther_s > lag_s)
+                break;
+            back_s = farther_s;
+        }
+        return {rows, back_s};
     }
 
     /// The field in the world as the magnetometer saw it when the sensor was turned so: its lag ago.
     void gatherField(size_t i, const Vector3d& rate_world) {
-        const double lag_samples = std::clamp(nominal_.mag_lag_s, 0.0, kLongestLag_s) * samples_.rate_hz;
-        const size_t whole = std::min<size_t>(i, static_cast<size_t>(lag_samples));
-        const Vector3d field = attitudes_[i - whole] * samples_.mag[i];
+        const auto [rows, back_s] = rowsOfLag(i);
+        const Vector3d field = attitudes_[i - rows] * samples_.mag[i];
         const Vector3d field_rate = rate_world.cross(field);
-        field_sum_ += field - (nominal_.mag_lag_s - double(whole) * dt_s_) * field_rate;
+        field_sum_ += field - (nominal_.mag_lag_s - back_s) * field_rate;
         field_rate_sum_ += field_rate;
         strength_sum_ += samples_.mag[i].norm();
         ++field_count_;
@@ -254,15 +279,13 @@ private:
     /// them.
     void turnRecent(const Vector3d& turn, size_t end) {
         const Quaterniond q = expQuaternion(turn);
-        const double lag_samples = std::clamp(nominal_.mag_lag_s, 0.0, kLongestLag_s) * samples_.rate_hz;
-        const size_t back = std::min<size_t>(end, static_cast<size_t>(lag_samples) + 1);
+        const size_t back = rowsOfLag(end - 1).first + 1;
         for (size_t i = end - back; i < end; ++i)
             attitudes_[i] = q * attitudes_[i];
     }
 
     const ImuSamples& samples_;
     const OrientationSettings& settings_;
-    double dt_s_;
     size_t per_step_ = 1, steps_per_pseudo_ = 2;
     Nominal nominal_;
     ErrorMatrix P_;

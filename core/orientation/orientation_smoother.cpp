@@ -39,8 +39,11 @@ void Smoother::integrateBetween(size_t step, OrientationRun& out) const {
     for (size_t i = end; i-- > begin;) {
         const Vector3d& reading = samples_.gyro_rad_per_s[i];
         const Vector3d turn =
-            reading.allFinite() ? Vector3d(target.rate(reading) / samples_.rate_hz) : Vector3d::Zero();
+            reading.allFinite() ? Vector3d(target.rate(reading) * samples_.interval_s(i)) : Vector3d::Zero();
         back[i - begin] = back[i - begin + 1] * expQuaternion(-turn);
+        if (const double pause_s = samples_.pause_s(i); pause_s > 0)
+            back[i - begin] =
+                back[i - begin] * expQuaternion(-target.rate(samples_.rateInPause_rad_per_s(i)) * pause_s);
     }
     const Vector3d mismatch =
         step == 0 ? Vector3d::Zero()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/processing/board_readings.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -20,6 +21,16 @@ Vector3d calibrated(const InertialReading& reading, size_t at, const AxisCalibra
         counts[Eigen::Index(axis)] =
             reading.counts[at + axis].value_or(std::numeric_limits<double>::quiet_NaN());
     return calibration.apply(counts);
+}
+
+/// The median of samples per frame.
+double usualStep(const std::vector<InertialReading>& rows) {
+    std::vector<double> steps;
+    for (size_t i = 1; i < rows.size(); ++i)
+        steps.push_back((rows[i].sample - rows[i - 1].sample) / double(rows[i].frame - rows[i - 1].frame));
+    const auto middle = steps.begin() + std::ssize(steps) / 2;
+    std::ranges::nth_element(steps, middle);
+    return *middle;
 }
 
 }  // namespace
@@ -53,35 +64,92 @@ Status ReadingsOfBoards::gather(const Take& take, const JobContext& job) {
     }
 }
 
+/// Which row each reading fills, and the instant of every row.
+struct ReadingsOfBoards::Placement {
+    static constexpr size_t kNoRow = size_t(-1);
+    std::vector<size_t> row_of;  ///< kNoRow: left out
+    std::vector<double> sample;
+    bool is_even = true;
+};
+
+ReadingsOfBoards::Placement ReadingsOfBoards::onLine(const std::vector<InertialReading>& rows, double step) {
+    Placement out;
+    for (const InertialReading& row : rows)
+        out.row_of.push_back(static_cast<size_t>(row.frame - rows.front().frame));
+    for (size_t i = 0; i <= out.row_of.back(); ++i)
+        out.sample.push_back(rows.front().sample + double(i) * step);
+    return out;
+}
+
+ReadingsOfBoards::Placement ReadingsOfBoards::byStamps(const std::vector<InertialReading>& rows,
+                                                       double usual_step) const {
+    Placement out{{}, {}, false};
+    const double longest = ImuSamples::kLongestStep_s * sample_rate_hz_;
+    int64_t last_frame = 0;
+    for (size_t i = 0; i < rows.size(); ++i) {
+        const double at = rows[i].sample;
+        const bool rises = out.sample.empty() || at > out.sample.back();
+        // One that the next goes back behind is wrong itself.
+        const bool leaps = rises && i + 1 < rows.size() && rows[i + 1].sample <= at &&
+                           (out.sample.empty() || rows[i + 1].sample > out.sample.back());
+        if (!rises || leaps) {
+            out.row_of.push_back(Placement::kNoRow);
+            continue;
+        }
+        if (!out.sample.empty()) {
+            const double gap = at - out.sample.back(), before = out.sample.back();
+            // As many lost ones as the frames count, unless the time has no room for them.
+            const double frames =
+                std::min(double(rows[i].frame - last_frame), std::max(1.0, std::round(2 * gap / usual_step)));
+            if (gap / frames <= longest)
+                for (double lost = 1; lost < frames; ++lost)
+                    out.sample.push_back(before + gap * lost / frames);
+        }
+        last_frame = rows[i].frame;
+        out.row_of.push_back(out.sample.size());
+        out.sample.push_back(at);
+    }
+    return out;
+}
+
 Result<BoardReadings> ReadingsOfBoards::of(size_t board, const Take& take) const {
     const auto& rows = rows_[board];
     BoardReadings out;
     if (rows.size() < 2)
         return out;
-    const double step =
-        double(rows.back().sample - rows.front().sample) / double(rows.back().frame - rows.front().frame);
-    out.samples.rate_hz = sample_rate_hz_ / step;
+    const InertialReading &first = rows.front(), &last = rows.back();
+    const double step = (last.sample - first.sample) / double(last.frame - first.frame);
+    const bool is_regular = std::ranges::all_of(rows, [&](const InertialReading& row) {
+        return std::abs(row.sample - first.sample - double(row.frame - first.frame) * step) <= step / 2;
+    });
+    const double usual_step = is_regular ? step : usualStep(rows);
+    out.samples.rate_hz = sample_rate_hz_ / usual_step;
     if (!(out.samples.rate_hz >= kLowestRate_hz && out.samples.rate_hz <= kHighestRate_hz))
         return readingsError(
             take,
             "board " + suit_.boards[board].id + " reads at " + std::to_string(out.samples.rate_hz) + " Hz",
             "Orientation needs 10 to 10000 readings a second");
-    fill(rows, board, step, out);
+    fill(rows, board, is_regular ? onLine(rows, step) : byStamps(rows, usual_step), out);
     return out;
 }
 
-void ReadingsOfBoards::fill(const std::vector<InertialReading>& rows, size_t board, double step,
-                            BoardReadings& out) const {
+void ReadingsOfBoards::fill(const std::vector<InertialReading>& rows, size_t board,
+                            const Placement& placement, BoardReadings& out) const {
     const Vector3d nothing = Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
-    const auto count = static_cast<size_t>(rows.back().frame - rows.front().frame + 1);
+    const size_t count = placement.sample.size();
     ImuSamples& samples = out.samples;
     samples.gyro_rad_per_s.assign(count, nothing);
     samples.accel_m_per_s2.assign(count, nothing);
     if (suit_.boards[board].has_magnetometer)
         samples.mag.assign(count, nothing);
     const BoardCalibration* values = calibration_.findBoard(suit_.boards[board].id);
-    for (const InertialReading& row : rows) {
-        const auto i = static_cast<size_t>(row.frame - rows.front().frame);
+    for (size_t r = 0; r < rows.size(); ++r) {
+        const InertialReading& row = rows[r];
+        const size_t i = placement.row_of[r];
+        if (i == Placement::kNoRow) {
+            ++out.left_out;
+            continue;
+        }
         samples.gyro_rad_per_s[i] = calibrated(row, 0, values->gyro);
         samples.accel_m_per_s2[i] = calibrated(row, 3, values->accel);
         for (Eigen::Index axis = 0; axis < 3 && !samples.mag.empty(); ++axis)
@@ -92,7 +160,11 @@ void ReadingsOfBoards::fill(const std::vector<InertialReading>& rows, size_t boa
     }
     for (size_t i = 0; i < count; ++i) {
         out.missing += !samples.gyro_rad_per_s[i].allFinite() || !samples.accel_m_per_s2[i].allFinite();
-        out.time_ns.push_back(std::llround((rows.front().sample + double(i) * step) * 1e9 / sample_rate_hz_));
+        out.time_ns.push_back(std::llround(placement.sample[i] * 1e9 / sample_rate_hz_));
+        if (!placement.is_even)
+            samples.step_s.push_back(i == 0
+                                         ? 1 / samples.rate_hz
+                                         : (placement.sample[i] - placement.sample[i - 1]) / sample_rate_hz_);
     }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The primary readings of a take, board by board, calibrated and on an even grid: what methods need that look
-// at one sensor's whole recording.
+// The primary readings of a take, board by board, calibrated, with the time between them: what methods need
+// that look at one sensor's whole recording.
 #pragma once
 
 #include <vector>
@@ -16,6 +16,7 @@ struct BoardReadings {
     ImuSamples samples;
     std::vector<int64_t> time_ns;  ///< of the suit's clock
     size_t missing = 0;            ///< rows without gyroscope or accelerometer
+    size_t left_out = 0;           ///< readings whose instant is not after that of the one before
 };
 
 /// With nominal values for the boards that `known` lacks.
@@ -34,11 +35,17 @@ public:
 
     /// Reads all of run 0 of the suit in view.
     Status gather(const Take& take, const JobContext& job);
-    /// Nothing of a board with fewer than two rows. kUnusable: a rate outside 10 to 10000 Hz.
+    /// Nothing of a board with fewer than two rows. Instants of a regular stream are taken from a line
+    /// through them, which has no jitter; those of another count as they are. kUnusable: a rate outside 10 to
+    /// 10000 Hz.
     Result<BoardReadings> of(size_t board, const Take& take) const;
 
 private:
-    void fill(const std::vector<InertialReading>& rows, size_t board, double step, BoardReadings& out) const;
+    struct Placement;
+    static Placement onLine(const std::vector<InertialReading>& rows, double step);
+    Placement byStamps(const std::vector<InertialReading>& rows, double usual_step) const;
+    void fill(const std::vector<InertialReading>& rows, size_t board, const Placement& placement,
+              BoardReadings& out) const;
 
     const Suit& suit_;
     const Calibration& calibration_;

@@ -226,6 +226,27 @@ Result<RunParts> partsOf(const Take& take, const DerivedRun& run) {
     return parts;
 }
 
+/// How many distances the take was given with, and how many of them cannot be.
+Status countDistances(const Take& take, ReportData& data, const JobContext& job) {
+    auto ranges = take.ranges(kPrimaryRun);
+    if (!ranges)
+        return ranges.error();
+    while (true) {
+        const auto range = ranges->next();
+        if (!range)
+            return range.error();
+        if (!*range)
+            break;
+        if (++data.distances_given % 4096 == 0 && job.cancelled())
+            return JobContext::cancelledError();
+    }
+    for (const SkippedRows& skipped : take.skippedRows())
+        if (skipped.table == rowsOfSuit("range", take.viewed()))
+            data.distances_refused = skipped.count;
+    data.distances_given += data.distances_refused;
+    return Done{};
+}
+
 /// Boards, pulses and what each joint rested on, for the shown run.
 Status addQuality(const Take& take, const DerivedRun& run, const RunSettings& settings, ReportData& data,
                   const JobContext& job) {
@@ -261,6 +282,9 @@ Status addQuality(const Take& take, const DerivedRun& run, const RunSettings& se
     if (!pairs)
         return pairs.error();
     data.pairs = std::move(*pairs);
+    if (take.level() == TakeLevel::kReadings && settings.sensors.find('D') != std::string::npos)
+        if (Status counted = countDistances(take, data, job); !counted)
+            return counted;
     if (data.boards.empty())
         return Done{};
     const bool has_inertia = settings.sensors.find_first_of("AG") != std::string::npos;

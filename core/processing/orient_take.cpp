@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/body/text.h"
 #include "core/processing/board_readings.h"
 #include "core/recording/take_edit.h"
 
@@ -41,6 +42,25 @@ OrientedBoard describe(const std::string& id, const BoardReadings& readings, con
     if (!result.heading_sigma_rad.empty())
         board.heading_sigma_deg = degrees(result.heading_sigma_rad.back());
     return board;
+}
+
+/// What of a board's clock a user should know.
+void warnOfClock(const std::string& id, const BoardReadings& readings, std::vector<std::string>& warnings) {
+    double paused_s = 0, begin_s = 0;
+    size_t pauses = 0;
+    for (size_t i = 1; i < readings.samples.size(); ++i)
+        if (const double pause_s = readings.samples.pause_s(i); pause_s > 0) {
+            if (++pauses == 1)
+                begin_s = double(readings.time_ns[i - 1]) * 1e-9;
+            paused_s += pause_s;
+        }
+    if (pauses > 0)
+        warnings.push_back("Board " + id + " paused for " + text::number(paused_s, 2) +
+                           " s in all, first at " + text::number(begin_s, 2) +
+                           " s. How it turned meanwhile is a guess from the readings around");
+    if (readings.left_out > 0)
+        warnings.push_back("Board " + id + ": the clock stands still or jumps back at " +
+                           std::to_string(readings.left_out) + " readings, which were left out");
 }
 
 std::string settingsText(const OrientRequest& request) {
@@ -97,6 +117,7 @@ Status orientAll(const Take& take, const Suit& suit, const ReadingsOfBoards& boa
                                        " has no row with both gyroscope and accelerometer and was left out");
             continue;
         }
+        warnOfClock(suit.boards[b].id, *readings, summary.warnings);
         job.progress(double(b) / double(suit.boards.size()), "Orientation of " + suit.boards[b].id);
         auto result = request.estimator->run(readings->samples, request.choice, {nullptr, job.cancel});
         if (!result)

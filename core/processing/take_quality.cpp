@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <limits>
 #include <unordered_map>
 
 #include "core/inertial/frame_layout.h"
@@ -12,6 +13,8 @@ namespace {
 
 /// An axis is first known after its first refresh: no reading is owed before each had one.
 constexpr int64_t kJoiningFrames = kCounterPeriod;
+/// A board whose readings begin or end within this of the take's ends was there all the time.
+constexpr double kWithTheTake_s = 1;
 
 void count(const InertialReading& reading, const BoardCalibration* known, ReportBoard& board) {
     board.frames_lost += reading.corrected_bits ? 0 : 1;
@@ -37,25 +40,79 @@ unsigned axesOf(const InertialReading& reading) {
     return axes;
 }
 
-/// The rows of one board and what it owes. A frame that refreshes an axis has no room for its partner
+/// From when to when there were readings, in samples.
+struct ReadSpan {
+    double begin = std::numeric_limits<double>::infinity(), end = 0;
+    void add(double sample) {
+        begin = std::min(begin, sample);
+        end = std::max(end, sample);
+    }
+};
+
+/// The rows of one board. A frame that refreshes an axis has no room for its partner
 /// (core/inertial/README.md section 4): a single axis missing between two whole frames is not owed.
 struct BoardRows {
-    int64_t rows = 0, last_frame = -1, not_sent = 0;
+    int64_t rows = 0, first_frame = 0, last_frame = -1, not_sent = 0;
     unsigned before_last = 0, last = 0;  ///< axes of the last two frames
+    ReadSpan span;
+    std::vector<double> steps;  ///< samples per frame, at the beginning
 
     void add(const InertialReading& reading) {
         const unsigned axes = axesOf(reading);
         const bool follows = reading.frame == last_frame + 1;
         if (follows && reading.frame > kJoiningFrames && before_last == kAllAxes && axes == kAllAxes)
             not_sent += std::popcount(last) == 5 ? 1 : 0;
+        if (rows == 0)
+            first_frame = reading.frame;
+        else if (steps.size() < kSteps && reading.frame > last_frame)
+            steps.push_back((reading.sample - span.end) / static_cast<double>(reading.frame - last_frame));
         before_last = follows ? last : 0;
         last = axes;
         last_frame = reading.frame;
+        span.add(reading.sample);
         ++rows;
     }
-    /// Boards begin their frames at times of their own: the end of a take cuts the last one of some.
-    int64_t owed(int64_t of_all) const { return last_frame == of_all - 2 ? of_all - 1 : of_all; }
+
+    /// Samples from one frame to the next: the usual ones, else `nominal`.
+    double step(double nominal) {
+        if (steps.empty())
+            return nominal;
+        const auto middle = steps.begin() + std::ssize(steps) / 2;
+        std::ranges::nth_element(steps, middle);
+        return *middle > 0 ? *middle : nominal;
+    }
+
+    static constexpr size_t kSteps = 2000;
 };
+
+/// Boards begin their frames at times of their own: what is less than a frame is none.
+int64_t wholeFrames(double samples, double step) {
+    constexpr double kRounding = 0.01;
+    return static_cast<int64_t>(samples / step + kRounding);
+}
+
+/// What a board owes beside its rows; `all` is the span of all boards.
+void judgeFrames(BoardRows rows, const ReadSpan& all, double nominal_step, ReportBoard& board, int axes) {
+    if (rows.rows == 0) {
+        board.frames_expected = board.frames_lost =
+            all.end > all.begin ? wholeFrames(all.end - all.begin, nominal_step) + 1 : 0;
+        board.readings_expected = axes * std::max<int64_t>(0, board.frames_expected - kJoiningFrames);
+        return;
+    }
+    const double step = rows.step(nominal_step);
+    int64_t before = wholeFrames(rows.span.begin - all.begin, step);
+    if (rows.first_frame == 0 && before == 1)
+        before = 0;
+    const int64_t after = wholeFrames(all.end - rows.span.end, step);
+    const int64_t within = std::max(rows.last_frame - rows.first_frame + 1, rows.rows);
+    const int64_t cut = after == 1 ? 0 : after;  // the end of a take cuts the last frame of some
+    board.frames_expected = before + within + cut;
+    board.frames_lost += board.frames_expected - rows.rows;
+    const int64_t not_known =
+        std::max<int64_t>(0, kJoiningFrames - std::max<int64_t>(0, rows.first_frame - before));
+    board.readings_expected = axes * std::max<int64_t>(0, board.frames_expected - not_known) - rows.not_sent;
+    board.frames_absent = (board.joined_s ? before : 0) + (board.left_s ? cut : 0);
+}
 
 PulseFate fateOf(RangeFate fate) {
     switch (fate) {
@@ -188,7 +245,7 @@ Result<std::vector<ReportBoard>> boardQuality(const Take& take, const Suit& suit
     auto readings = take.readings(inertial_run);
     if (!readings)
         return readings.error();
-    int64_t frames = 0;
+    ReadSpan all;
     std::vector<BoardRows> rows(boards.size());
     bool has_gyroscopes = false, has_accelerometers = false;  // of other makers' sensors one may lack
     while (true) {
@@ -199,18 +256,23 @@ Result<std::vector<ReportBoard>> boardQuality(const Take& take, const Suit& suit
             break;
         const auto board = static_cast<size_t>((*reading)->board);
         rows[board].add(**reading);
-        frames = std::max({frames, (*reading)->frame + 1, rows[board].rows});
+        all.add((*reading)->sample);
         count(**reading, known[board], boards[board]);
         has_gyroscopes = has_gyroscopes || (*reading)->counts[0];
         has_accelerometers = has_accelerometers || (*reading)->counts[3];
     }
     const bool lacks_one = take.level() == TakeLevel::kReadings && has_gyroscopes != has_accelerometers;
     const int axes = lacks_one ? 3 : 6;
+    const double rate_hz = static_cast<double>(take.header().sample_rate_hz);
+    const auto samples = take.sampleCount();
+    const double end = std::max(all.end, samples ? static_cast<double>(*samples) : 0);
     for (size_t b = 0; b < boards.size(); ++b) {
-        const int64_t owed = std::max(rows[b].owed(frames), rows[b].rows);
-        boards[b].frames_expected = owed;
-        boards[b].frames_lost += owed - rows[b].rows;
-        boards[b].readings_expected = axes * std::max<int64_t>(0, owed - kJoiningFrames) - rows[b].not_sent;
+        const auto takeTime_s = [&](double sample) { return take.suitClock().takeTime_s(sample / rate_hz); };
+        if (rows[b].rows > 0 && rows[b].span.begin > kWithTheTake_s * rate_hz)
+            boards[b].joined_s = takeTime_s(rows[b].span.begin);
+        if (rows[b].rows > 0 && end - rows[b].span.end > kWithTheTake_s * rate_hz)
+            boards[b].left_s = takeTime_s(rows[b].span.end);
+        judgeFrames(std::move(rows[b]), all, rate_hz / suit.boards[b].rate_hz, boards[b], axes);
     }
     return boards;
 }

@@ -11,9 +11,10 @@
 
 namespace noctule {
 
-/// Of every board, from the inertial rows of a run. All boards owe as many frames as the longest stream has,
-/// but for one that the end of the take cuts. They owe the readings that the format sends, from when every
-/// axis can be known. Clipped ones count from then on too.
+/// Of every board, from the inertial rows of a run. Each owes frames at its own rate, as its readings'
+/// instants tell it, from the first reading of any board to the last, but for one frame that the end of the
+/// take cuts. They owe the readings that the format sends, from when every axis can be known. Clipped ones
+/// count from then on too.
 Result<std::vector<ReportBoard>> boardQuality(const Take& take, const Suit& suit,
                                               const Calibration& calibration, int64_t inertial_run);
 

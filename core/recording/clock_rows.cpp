@@ -116,9 +116,10 @@ Status Take::forEachCrossRange(int64_t run, int suit,
             if (owner == sources.end() || !source || *source < 0 || *source >= owner->second || !board ||
                 *board < 0 || *board >= *boards)
                 return "source or board is not in its suit";
-            if (!isSample(sample) || !arrival || !distance || std::abs(*distance) > 2 * limits::kFarthest_m ||
-                !isShare(w_s) || !isShare(w_t))
+            if (!isSample(sample) || !arrival || !distance || !isShare(w_s) || !isShare(w_t))
                 return "a number is missing or out of range";
+            if (std::abs(*distance) > limits::kFarthestHeard_m)
+                return "the distance is beyond 20 m, farther than sound carries";
             out.from_suit = owner->first;
             out.range = {};
             out.range.pulse = row.integer(0).value_or(0);

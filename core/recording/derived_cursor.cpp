@@ -71,6 +71,10 @@ std::optional<double> confidence(const Statement& row, int column) {
     return row.isNull(column) ? std::optional(1.0) : row.real(column);
 }
 
+constexpr double kNearlyAll = 0.9;
+constexpr const char* kTooFar = "the distance is beyond 20 m, farther than sound carries";
+static_assert(limits::kFarthestHeard_m == 20);
+
 RowVerdict readRange(const Statement& row, const RunOfTake& run, RangeMeasurement& range) {
     const auto pulse_sample = row.integer(1);
     const auto source = row.integer(2);
@@ -83,9 +87,12 @@ RowVerdict readRange(const Statement& row, const RunOfTake& run, RangeMeasuremen
         return "its pulse is missing or out of range";
     if (*source < 0 || *source >= run.source_count || !board || *board < 0 || *board >= run.board_count)
         return "source or board is not in the suit";
-    if (!arrival || !distance || std::abs(*distance) > limits::kFarthest_m || !isConfidence(w_s) ||
-        !isConfidence(w_t) || !isConfidence(w_a))
+    if (!arrival || !distance || !isConfidence(w_s) || !isConfidence(w_t) || !isConfidence(w_a))
         return "a number is missing or out of range";
+    if (*distance < 0)
+        return "the distance is below 0";
+    if (*distance > limits::kFarthestHeard_m)
+        return kTooFar;
     range.pulse = row.integer(0).value_or(0);
     range.pulse_sample = *pulse_sample;
     range.source = static_cast<int>(*source);
@@ -227,11 +234,16 @@ Result<std::optional<RangeMeasurement>> RangeCursor::next() {
             detector_ = rows_.text(10).value_or("");
             range.fate = rangeFateFromName(rows_.text(11).value_or(""));
             range.innovation_m = rows_.real(12).value_or(0);
+            ++good_;
             return std::optional(range);
         }
+        too_far_ += verdict == kTooFar;
         run_.log->add(rowsOfSuit("range", run_.suit),
                       "pulse " + std::to_string(rows_.integer(0).value_or(-1)), verdict);
     }
+    if (static_cast<double>(too_far_) > kNearlyAll * static_cast<double>(too_far_ + good_))
+        run_.log->explain(rowsOfSuit("range", run_.suit), "nearly all are: they look like millimetres");
+    too_far_ = 0;
     return std::optional<RangeMeasurement>();
 }
 

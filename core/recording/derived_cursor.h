@@ -67,6 +67,7 @@ private:
     Statement rows_;
     std::string detector_;
     bool at_end_ = false;  ///< SQLite would start again
+    int64_t good_ = 0, too_far_ = 0;
 };
 
 }  // namespace noctule

@@ -12,6 +12,11 @@ void SkipLog::add(const std::string& what, const std::string& row, const std::st
     skipped.count += count;
 }
 
+void SkipLog::explain(const std::string& what, const std::string& why) {
+    if (const auto skipped = rows_.find(what); skipped != rows_.end())
+        skipped->second.first += "; " + why;
+}
+
 std::vector<SkippedRows> SkipLog::all() const {
     std::vector<SkippedRows> all;
     for (const auto& entry : rows_)

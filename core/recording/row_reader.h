@@ -19,6 +19,8 @@ class SkipLog {
 public:
     void restart(const std::string& what) { rows_.erase(what); }
     void add(const std::string& what, const std::string& row, const std::string& why, int64_t count = 1);
+    /// What all of them together tell, behind the reason of the first.
+    void explain(const std::string& what, const std::string& why);
     std::vector<SkippedRows> all() const;
 
 private:

@@ -354,6 +354,11 @@ Result<TakeLosses> copyTables(const Database& database, const std::string& torn,
         if (rows->lost != 0)
             losses.tables.push_back(*rows);
     }
+    // A take of readings never had sound, whatever cannot be read where its table began.
+    const auto of_readings =
+        database.queryInteger("SELECT 1 FROM main.meta WHERE key='level' AND value='readings'");
+    if (of_readings && *of_readings)
+        std::erase_if(losses.tables, [](const TableLoss& loss) { return loss.table == "adc_block"; });
     if (std::ranges::find(losses.tables, "adc_block", &TableLoss::table) != losses.tables.end())
         measureSound(database, losses);
     if (copied > 0)
@@ -376,9 +381,10 @@ Result<TakeLosses> copyReadableRows(const std::string& torn, const std::string& 
     Result<TakeLosses> losses = copyTables(*database, torn, mended, job);
     if (!losses)
         return losses;
-    // How long it was counts no more; the blocks tell how long it is.
+    // How long it was counts no more; the blocks or readings tell how long it is.
     if (const Status counted = database->execute(
-            "DELETE FROM main.meta WHERE key='sample_count' AND EXISTS(SELECT 1 FROM main.adc_block)");
+            "DELETE FROM main.meta WHERE key='sample_count' AND (EXISTS(SELECT 1 FROM main.adc_block) OR "
+            "EXISTS(SELECT 1 FROM main.meta WHERE key='level' AND value='readings'))");
         !counted)
         return counted.error();
     const Result<int64_t> mended_texts = mendTexts(*database);

@@ -65,6 +65,8 @@ Json boardJson(const ReportBoard& board) {
     return {{"id", board.id},
             {"frames_expected", board.frames_expected},
             {"frames_lost", board.frames_lost},
+            {"joined_s", finite(board.joined_s)},
+            {"left_s", finite(board.left_s)},
             {"readings_expected", board.readings_expected},
             {"readings_present", board.readings_present},
             {"clipped_gyro", board.clipped_gyro},

@@ -60,12 +60,19 @@ struct ReportBoard {
     std::string id;                                ///< "l_shin"
     std::string segment;                           ///< canonical joint name, empty when fixed in the room
     int64_t frames_expected = 0, frames_lost = 0;  ///< of the inertial stream; lost: no reading at all
+    int64_t frames_absent = 0;                     ///< of the lost: before it joined and after it left
+    std::optional<double> joined_s{}, left_s{};    ///< take's clock, where not with the take
     int64_t readings_expected = 0, readings_present = 0;  ///< single axes
     int64_t clipped_gyro = 0, clipped_accel = 0;          ///< readings at the end of their range
     int64_t corrected_bits = 0;
 
     double lostShare() const {
         return frames_expected <= 0 ? 0 : double(frames_lost) / double(frames_expected);
+    }
+    /// While it was there.
+    double lostShareWhileThere() const {
+        const int64_t there = frames_expected - frames_absent;
+        return there <= 0 ? 0 : double(frames_lost - frames_absent) / double(there);
     }
     double readingShare() const {
         return readings_expected <= 0 ? 1 : double(readings_present) / double(readings_expected);
@@ -118,10 +125,11 @@ struct ReportData {
     std::vector<std::pair<int, int>>
         chosen_pairs;  ///< source, board for the curves; empty: chosen by segment
     std::vector<JointSupport> support;
-    std::vector<std::pair<double, double>> gaps_s;  ///< without any signal; may overlap
-    CalibrationLack lack;                           ///< of what the shown run was made with
-    bool people_apart = false;                      ///< not all performers' places to each other are known
-    std::vector<std::string> unjoined;              ///< those of them who stand alone; empty: all do
+    std::vector<std::pair<double, double>> gaps_s;       ///< without any signal; may overlap
+    CalibrationLack lack;                                ///< of what the shown run was made with
+    int64_t distances_given = 0, distances_refused = 0;  ///< of a take of readings; refused: no such distance
+    bool people_apart = false;          ///< not all performers' places to each other are known
+    std::vector<std::string> unjoined;  ///< those of them who stand alone; empty: all do
     std::vector<std::pair<std::string, NamedValues>>
         provenance;                     ///< headed lists: calibration, versions, ...
     std::vector<std::string> warnings;  ///< whole sentences found while reading or processing

@@ -43,6 +43,7 @@ public:
         judgeCalibration();
         judgeSupport();
         judgeResidual();
+        judgeDistances();
         judgeBoards();
         judgeHoles();
         charge(VerdictReason::kPeopleApart, report_.people_apart ? Grade::kUsable : Grade::kGood);
@@ -185,6 +186,21 @@ private:
         charge(VerdictReason::kResidual, grade);
     }
 
+    /// Against a reference too: poses that fit without distances say nothing of those.
+    void judgeDistances() {
+        if (run_->sensors.find('D') == std::string::npos)
+            return;
+        if (report_.distances_given > 0)
+            verdict_.refused_share =
+                static_cast<double>(report_.distances_refused) / static_cast<double>(report_.distances_given);
+        const RangeStatistics ranges = rangeStatistics(report_.pairs);
+        const auto rejected = static_cast<double>(ranges.of(PulseFate::kRejected));
+        const double tried = static_cast<double>(ranges.of(PulseFate::kUsed)) + rejected;
+        const bool thrown_out = !isExplained() && rejected > limits_.good_refused * tried;
+        if (thrown_out || verdict_.refused_share > limits_.good_refused)
+            charge(VerdictReason::kDistances, Grade::kUsable);
+    }
+
     /// The source or board whose ranges miss the pose most, if they do. One source that points elsewhere is
     /// an eighth of all ranges, which the spread of all does not show.
     void findAstray() {
@@ -216,9 +232,13 @@ private:
     void judgeBoards() {
         Grade worst = Grade::kGood;
         for (size_t b = 0; b < report_.boards.size(); ++b) {
-            const double lost = report_.boards[b].lostShare();
+            const ReportBoard& board = report_.boards[b];
+            const double lost = board.lostShare();
+            const bool came_or_went = 2 * board.frames_absent > board.frames_lost;
             if (lost > limits_.good_lost)
-                verdict_.lossy_boards.push_back({static_cast<int>(b), lost});
+                verdict_.lossy_boards.push_back({static_cast<int>(b), lost,
+                                                 came_or_went ? board.joined_s : std::nullopt,
+                                                 came_or_went ? board.left_s : std::nullopt});
             worst = std::max(worst, lost > limits_.good_lost ? Grade::kUsable : Grade::kGood);
         }
         std::stable_sort(
@@ -226,7 +246,10 @@ private:
             [](const VerdictBoard& a, const VerdictBoard& b) { return a.lost_share > b.lost_share; });
         const auto& lossy = verdict_.lossy_boards;
         verdict_.lost_together = lossy.size() > 2 && lossy.size() == report_.boards.size() &&
-                                 lossy.front().lost_share - lossy.back().lost_share < kLostTogether;
+                                 lossy.front().lost_share - lossy.back().lost_share < kLostTogether &&
+                                 std::ranges::all_of(report_.boards, [](const ReportBoard& board) {
+                                     return board.frames_absent == 0;
+                                 });
         // One dead board costs one segment; when most boards lose much, it is the link.
         const auto many = static_cast<size_t>(
             std::count_if(verdict_.lossy_boards.begin(), verdict_.lossy_boards.end(),

@@ -31,6 +31,9 @@ struct VerdictLimits {
     double good_residual_m = 0.02, usable_residual_m = 0.05;
     /// Frames that a board lost: gyroscopes bridge single frames, not the loss of every fifth.
     double good_lost = 0.02, usable_lost = 0.2;
+    /// Share of the distances that cannot be (below 0, beyond earshot) or that the filter threw out. Beyond a
+    /// half the poses rest on what is left by chance.
+    double good_refused = 0.5;
     /// One hole without any signal: a second of prediction is off by tens of degrees.
     double good_hole_s = 0.25, usable_hole_s = 1;
 };
@@ -41,6 +44,7 @@ enum class VerdictReason {
     kJointError,     ///< of the worst joint
     kSupport,        ///< too little of the worst joint's time was backed by ranges
     kResidual,       ///< ranges do not fit the poses
+    kDistances,      ///< most distances cannot be, or were thrown out
     kBoardLost,      ///< a board lost frames
     kHole,           ///< a hole without signal
     kNoPoses,        ///< the run shows nothing
@@ -62,6 +66,7 @@ struct VerdictJoint {
 struct VerdictBoard {
     int board = 0;  ///< index into the suit
     double lost_share = 0;
+    std::optional<double> joined_s{}, left_s{};  ///< take's clock, where that is most of the loss
 };
 
 /// A source or a board whose ranges miss the pose, though those of the others do not.
@@ -97,6 +102,7 @@ struct TakeVerdict {
     /// filter trusts pairs that are always late little, so that they say nothing of the pose.
     std::optional<double> residual_spread_m;
     std::optional<VerdictPart> astray;            ///< with kResidual: where one part's ranges alone miss
+    double refused_share = 0;                     ///< of the distances: they cannot be
     double hole_s = 0, longest_hole_s = 0;        ///< without signal, of all boards
     std::optional<double> yaw_drift_deg_per_min;  ///< against the reference
     std::vector<VerdictJoint> joints;

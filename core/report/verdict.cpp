@@ -2,6 +2,7 @@
 #include "core/report/verdict.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/body/text.h"
 #include "core/report/range_statistics.h"
@@ -95,6 +96,12 @@ std::string reasonSentence(VerdictReason reason, const ReportData& data, const R
             return supportSentence(data, judged);
         case VerdictReason::kResidual:
             return residualSentence(data, judged);
+        case VerdictReason::kDistances:
+            return judged.refused_share > VerdictLimits{}.good_refused
+                       ? text::percent(judged.refused_share) +
+                             " of the take's distances cannot be: they lie below 0 or beyond 20 m. Give "
+                             "them in metres."
+                       : "";
         case VerdictReason::kHole:
             return "No signal for " + text::number(judged.longest_hole_s, 2) +
                    " s in one piece: the pose is a guess there.";
@@ -132,15 +139,43 @@ void judgeConsistency(const Comparison& comparison, bool lacks_calibration, Verd
             distrust(*comparison.refused_offset) + ". Check that the reference shows this take.");
 }
 
-/// Empty: it lost little.
+/// Empty: it came and went with the take.
+std::string presenceSentence(const std::string& name, const std::optional<double>& joined_s,
+                             const std::optional<double>& left_s) {
+    if (joined_s && left_s)
+        return name + "joined at " + text::clock(*joined_s) + " and left at " + text::clock(*left_s) + ".";
+    if (joined_s)
+        return name + "joined at " + text::clock(*joined_s) + ".";
+    return left_s ? name + "left at " + text::clock(*left_s) + "." : "";
+}
+
+/// Empty: it lost little while it was there.
 std::string lossSentence(const ReportBoard& board, const std::string& name) {
-    if (board.lostShare() > VerdictLimits{}.good_lost)
-        return name + "lost " + text::percent(board.lostShare()) +
+    if (board.lostShareWhileThere() > VerdictLimits{}.good_lost)
+        return name + "lost " + text::percent(board.lostShareWhileThere()) +
                " of its frames. Check its plug and cable.";
-    if (board.readingShare() < kGoodReadings)
+    if (board.frames_absent == 0 && board.readingShare() < kGoodReadings)
         return name + "delivered " + text::percent(board.readingShare()) +
                " of its readings. Check its plug and cable.";
     return {};
+}
+
+/// All boards came late or left early together: the box did.
+std::string suitPresence(const ReportData& data) {
+    constexpr double kTogether_s = 1;
+    const auto isTogether = [&](std::optional<double> ReportBoard::*when_s) {
+        const auto& first_s = data.boards.front().*when_s;
+        return first_s && std::ranges::all_of(data.boards, [&](const ReportBoard& board) {
+                   return board.*when_s && std::abs(*(board.*when_s) - *first_s) < kTogether_s;
+               });
+    };
+    if (data.boards.empty())
+        return {};
+    const auto whenTogether = [&](std::optional<double> ReportBoard::*when_s) {
+        return isTogether(when_s) ? data.boards.front().*when_s : std::nullopt;
+    };
+    return presenceSentence("All boards ", whenTogether(&ReportBoard::joined_s),
+                            whenTogether(&ReportBoard::left_s));
 }
 
 void judgeBoards(const ReportData& data, const TakeVerdict& judged, Verdict& verdict) {
@@ -148,9 +183,13 @@ void judgeBoards(const ReportData& data, const TakeVerdict& judged, Verdict& ver
         verdict.reasons.push_back("All boards lost " + text::percent(judged.lossy_boards.front().lost_share) +
                                   " of their frames together: the link to the driver box broke off or was "
                                   "too slow. Check its cable or network.");
+    if (std::string suit = suitPresence(data); !suit.empty())
+        verdict.reasons.push_back(std::move(suit));
     for (size_t i = 0; i < data.boards.size(); ++i) {
         const ReportBoard& board = data.boards[i];
         const std::string name = text::capitalised(boardLabel(data, static_cast<int>(i))) + " ";
+        if (board.frames_absent > 0)
+            verdict.reasons.push_back(presenceSentence(name, board.joined_s, board.left_s));
         if (const std::string loss = lossSentence(board, name); !loss.empty() && !judged.lost_together)
             verdict.reasons.push_back(loss);
         if (board.clipped_gyro + board.clipped_accel > 0)

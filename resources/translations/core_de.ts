@@ -2899,6 +2899,10 @@
         <translation>Textexport von MT Manager, eine Datei je Sensor</translation>
     </message>
     <message>
+        <source>MVNX holds no gyroscope, and this file no sensorFreeAcceleration: its sensors have attitudes alone</source>
+        <translation>MVNX enthält kein Gyroskop und diese Datei keine sensorFreeAcceleration: Ihre Sensoren haben nur Lagen</translation>
+    </message>
+    <message>
         <source>MVNX holds no gyroscope; accelerations were derived from sensorFreeAcceleration, gravity and the sensors' attitudes</source>
         <translation>MVNX enthält kein Gyroskop; Beschleunigungen wurden aus sensorFreeAcceleration, Schwerkraft und den Lagen der Sensoren abgeleitet</translation>
     </message>
@@ -2937,6 +2941,10 @@
     <message>
         <source>No file given is of the kind %1</source>
         <translation>Keine angegebene Datei ist von der Art %1</translation>
+    </message>
+    <message>
+        <source>No frame has the orientations of all segments, so the file brings no reference</source>
+        <translation>Kein Einzelbild hat die Orientierungen aller Segmente; die Datei bringt darum keine Referenz mit</translation>
     </message>
     <message>
         <source>Noctule's (X west or left, Y up, Z north or forward)</source>
@@ -3015,6 +3023,10 @@
         <translation>Die Datei enthält keine Lagen von Sensoren; die ihrer Glieder stehen dafür</translation>
     </message>
     <message>
+        <source>The file has no positions: its reference tells orientations alone, and its root stays in place</source>
+        <translation>Die Datei hat keine Positionen: Ihre Referenz kennt nur Orientierungen, und ihre Wurzel bleibt am Ort</translation>
+    </message>
+    <message>
         <source>The file has no whole body with positions, so it brings no reference</source>
         <translation>Die Datei enthält keinen ganzen Körper mit Positionen und bringt daher keine Referenz mit</translation>
     </message>
@@ -3059,8 +3071,8 @@
         <translation>Timestamp (us),Gyroscope X</translation>
     </message>
     <message>
-        <source>Write a map as core/import/README.md shows (--map MAP.json)</source>
-        <translation>Eine Zuordnung schreiben, wie core/import/README.md zeigt (--map MAP.json)</translation>
+        <source>Give a map of the columns with --map MAP.json; noctule --batch import --help shows one</source>
+        <translation>Mit --map MAP.json eine Zuordnung der Spalten angeben; noctule --batch import --help zeigt eine</translation>
     </message>
     <message>
         <source>Write enu, nwu, ned, opensim or noctule</source>
@@ -4608,6 +4620,14 @@
         <translation>Platine %1 hat keine Zeile mit Gyroskop und Beschleunigungssensor zugleich und wurde ausgelassen</translation>
     </message>
     <message>
+        <source>Board %1 paused for %2 s in all, first at %3 s. How it turned meanwhile is a guess from the readings around</source>
+        <translation>Platine %1 pausierte insgesamt %2 s, zuerst bei %3 s. Wie sie sich währenddessen drehte, ist aus den Messwerten davor und danach geschätzt</translation>
+    </message>
+    <message>
+        <source>Board %1: the clock stands still or jumps back at %2 readings, which were left out</source>
+        <translation>Platine %1: Die Uhr steht oder springt zurück bei %2 Messwerten, die ausgelassen wurden</translation>
+    </message>
+    <message>
         <source>Calibrate takes of one suit at a time</source>
         <translation>Aufnahmen eines einzigen Anzugs auf einmal kalibrieren</translation>
     </message>
@@ -6039,6 +6059,10 @@
         <translation>nennt niemanden außer dem Raum</translation>
     </message>
     <message>
+        <source>nearly all are: they look like millimetres</source>
+        <translation>fast alle liegen dort: Sie sehen nach Millimetern aus</translation>
+    </message>
+    <message>
         <source>nothing of %1</source>
         <translation>nichts von %1</translation>
     </message>
@@ -6165,6 +6189,14 @@
     <message>
         <source>the computed poses</source>
         <translation>den berechneten Posen</translation>
+    </message>
+    <message>
+        <source>the distance is below 0</source>
+        <translation>der Abstand liegt unter 0</translation>
+    </message>
+    <message>
+        <source>the distance is beyond 20 m, farther than sound carries</source>
+        <translation>der Abstand liegt über 20 m, weiter als der Schall trägt</translation>
     </message>
     <message>
         <source>the external root</source>
@@ -6393,6 +6425,10 @@
         <translation>%1 der Messwerte sind vorhanden</translation>
     </message>
     <message>
+        <source>%1 of the take's distances cannot be: they lie below 0 or beyond 20 m. Give them in metres.</source>
+        <translation>%1 der Abstände der Aufnahme sind unmöglich: Sie liegen unter 0 oder über 20 m. Sie in Metern angeben.</translation>
+    </message>
+    <message>
         <source>%1 s of movement</source>
         <translation>%1 s Bewegung</translation>
     </message>
@@ -6451,6 +6487,18 @@
     <message>
         <source>%1delivered %2 of its readings. Check its plug and cable.</source>
         <translation>%1lieferte %2 ihrer Messwerte. Stecker und Kabel prüfen.</translation>
+    </message>
+    <message>
+        <source>%1joined at %2 and left at %3.</source>
+        <translation>%1von %2 bis %3 dabei.</translation>
+    </message>
+    <message>
+        <source>%1joined at %2.</source>
+        <translation>%1ab %2 dabei.</translation>
+    </message>
+    <message>
+        <source>%1left at %2.</source>
+        <translation>%1nur bis %2 dabei.</translation>
     </message>
     <message>
         <source>%1lost %2 of its frames. Check its plug and cable.</source>
@@ -6519,6 +6567,10 @@
     <message>
         <source>Against the calibration in force.</source>
         <translation>Gegen die gültige Kalibrierung.</translation>
+    </message>
+    <message>
+        <source>All boards</source>
+        <translation>Alle Platinen</translation>
     </message>
     <message>
         <source>All boards lost %1 of their frames together: the link to the driver box broke off or was too slow. Check its cable or network.</source>

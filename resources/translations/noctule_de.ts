@@ -8777,6 +8777,26 @@ Median; gut: unter %1</translation>
         <translation>Sie haben sie zugleich verloren: Die Verbindung zur Steuerbox riss ab oder war zu langsam. Vor der nächsten Aufnahme ihr Kabel oder das Netzwerk prüfen.</translation>
     </message>
     <message>
+        <source>Most distances cannot be used</source>
+        <translation>Die meisten Abstände sind nicht brauchbar</translation>
+    </message>
+    <message>
+        <source>They lie below 0 or beyond 20 m, or miss the pose by far. Check the unit of recordings from elsewhere, else source offsets and places of boards.</source>
+        <translation>Sie liegen unter 0 oder über 20 m oder weit neben der Haltung. Bei fremden Aufnahmen die Einheit prüfen, sonst die Versätze der Quellen und den Sitz der Platinen.</translation>
+    </message>
+    <message>
+        <source>%1 joined at %2</source>
+        <translation>%1 kam bei %2 dazu</translation>
+    </message>
+    <message>
+        <source>%1 left at %2</source>
+        <translation>%1 fiel bei %2 weg</translation>
+    </message>
+    <message>
+        <source>Its neighbours carry it while it is not there. See that all boards deliver before the next take begins.</source>
+        <translation>Die Nachbarn tragen sie, solange sie fehlt. Darauf achten, dass alle Platinen liefern, bevor die nächste Aufnahme beginnt.</translation>
+    </message>
+    <message>
         <source>%1 lost %2 of its frames</source>
         <translation>%1 hat %2 ihrer Rahmen verloren</translation>
     </message>

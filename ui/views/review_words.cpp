@@ -138,6 +138,15 @@ ProblemWords boardProblem(const TakeVerdict& verdict, const TakeOverview& overvi
     }
     words.board = worst.board;
     words.action = Words::tr("Show this board");
+    if (worst.joined_s || worst.left_s) {
+        const QString board = boardTitle(overview.suit, worst.board);
+        words.title = worst.joined_s ? Words::tr("%1 joined at %2").arg(board, timeText(*worst.joined_s, 0))
+                                     : Words::tr("%1 left at %2").arg(board, timeText(*worst.left_s, 0));
+        words.text = Words::tr(
+            "Its neighbours carry it while it is not there. See that all boards deliver before the next take "
+            "begins.");
+        return words;
+    }
     words.title = Words::tr("%1 lost %2 of its frames")
                       .arg(boardTitle(overview.suit, worst.board), percentText(worst.lost_share));
     const int others = static_cast<int>(verdict.lossy_boards.size()) - 1;
@@ -342,6 +351,12 @@ std::vector<ProblemWords> problemsInWords(const TakeVerdict& verdict, const Take
                 break;
             case VerdictReason::kResidual:
                 words = residualProblem(verdict, overview);
+                break;
+            case VerdictReason::kDistances:
+                words.title = Words::tr("Most distances cannot be used");
+                words.text = Words::tr(
+                    "They lie below 0 or beyond 20 m, or miss the pose by far. Check the unit of recordings "
+                    "from elsewhere, else source offsets and places of boards.");
                 break;
             case VerdictReason::kBoardLost:
                 words = boardProblem(verdict, overview);

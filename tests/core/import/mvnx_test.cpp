@@ -5,7 +5,10 @@
 #include <cmath>
 
 #include "core/body/kinematics.h"
+#include "core/import/import_take.h"
+#include "core/recording/take.h"
 #include "tests/core/import/example_files.h"
+#include "tests/support/files.h"
 
 namespace noctule::test {
 namespace {
@@ -38,6 +41,62 @@ TEST(Mvnx, SensorsAndTheResultAreRead) {
     const auto same = readAs({{"walk.mvnx", unjoined}});
     ASSERT_TRUE(same && same->reference) << "MVN's body is known without its joints";
     EXPECT_EQ(same->reference->skeleton.joint(1).offset_m, skeleton.joint(1).offset_m);
+}
+
+/// The example with an element of all frames of the motion taken out.
+std::string without(const std::string& element) {
+    std::string text = mvnxExample();
+    const std::string begin = "<" + element + ">", end = "</" + element + ">";
+    const size_t motion = text.find("type=\"normal\"");
+    for (size_t at = text.find(begin, motion); at != std::string::npos; at = text.find(begin, at))
+        text.erase(at, text.find(end, at) + end.size() - at);
+    return text;
+}
+
+/// Any child of a frame may be absent: what is there is kept, and no more is said to be.
+TEST(Mvnx, FilesWithoutPositionsTellOrientations) {
+    const auto whole = readAs({{"walk.mvnx", mvnxExample()}});
+    const auto read = readAs({{"walk.mvnx", without("position")}});
+    ASSERT_TRUE(whole && read) << read.error().text();
+    ASSERT_TRUE(read->reference);
+    EXPECT_TRUE(mentions(read->warnings, "has no positions: its reference tells orientations alone"));
+    ASSERT_EQ(read->reference->frames.size(), 20u);
+    for (size_t i = 0; i < 20; ++i) {
+        ASSERT_TRUE(read->reference->frames[i].pose);
+        const Pose &pose = *read->reference->frames[i].pose, &known = *whole->reference->frames[i].pose;
+        EXPECT_LT((pose.p_world_root - Vector3d(0, 1, 0)).norm(), 1e-9)
+            << "where it stood in the identity frame";
+        for (size_t j = 0; j < 3; ++j)
+            EXPECT_EQ(pose.q_parent_joint[j].coeffs(), known.q_parent_joint[j].coeffs());
+    }
+}
+
+TEST(Mvnx, FilesWithoutOrientationsBringNoReference) {
+    const auto read = readAs({{"walk.mvnx", without("orientation")}});
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_FALSE(read->reference);
+    EXPECT_TRUE(mentions(read->warnings, "so the file brings no reference"));
+    EXPECT_TRUE(mentions(read->warnings, "accelerations were derived"));
+}
+
+TEST(Mvnx, DerivedAccelerationsAreToldWhereThereAreSome) {
+    const auto read = readAs({{"walk.mvnx", without("sensorFreeAcceleration")}});
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_FALSE(mentions(read->warnings, "accelerations were derived"));
+    EXPECT_TRUE(mentions(read->warnings, "attitudes alone"));
+}
+
+TEST(Mvnx, AReferenceWithoutAPoseIsNone) {
+    auto read = readAs({{"walk.mvnx", mvnxExample()}});
+    ASSERT_TRUE(read && read->reference);
+    for (TimedPose& timed : read->reference->frames)
+        timed.pose.reset();
+    const Folder folder;
+    const auto written = writeImportedTake(
+        *read, {folder.file("walk.noctule"), "walk", "2026-01-01T00:00:00Z", "test", "u", false}, {});
+    ASSERT_TRUE(written) << written.error().text();
+    EXPECT_FALSE(written->has_reference);
+    EXPECT_FALSE(Take::open(folder.file("walk.noctule"))->meta().contains("reference_kind"));
 }
 
 TEST(Mvnx, TimesThatJumpAreSaid) {

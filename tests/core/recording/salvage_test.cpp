@@ -276,6 +276,24 @@ TEST(DamagedTake, WithoutItsDetailsTheLengthOfTheSoundIsAShare) {
     EXPECT_EQ(savedText(**done), "Saved of it: about 98 % of the sound; everything else is complete");
 }
 
+/// The length is that of the readings that were saved, and nobody misses sound.
+TEST(DamagedTake, OfATakeOfReadingsNoSoundIsMissed) {
+    const Folder folder;
+    const std::string torn = test::tinyTake(folder), saved = folder.file("saved.noctule");
+    test::runSql(torn, "INSERT INTO meta(key,value) VALUES('level','readings'); DELETE FROM pulse");
+    damageFirstPageOf(torn, "adc_block");
+    damageFirstPageOf(torn, "note");
+    const auto done = recoverTake(torn, saved, {});
+    ASSERT_TRUE(done) << done.error().text();
+    ASSERT_TRUE(*done);
+    EXPECT_EQ(savedText(**done).find("sound"), std::string::npos) << savedText(**done);
+    EXPECT_FALSE((*done)->sound_s);
+    EXPECT_EQ(countRows(saved, "meta WHERE key='level'"), 1);
+    const Take take = Take::open(saved).value();
+    EXPECT_EQ(take.meta().count("sample_count"), 0U);
+    EXPECT_EQ(take.duration_s().value(), 0) << "nothing that has a time was saved";
+}
+
 TEST(DamagedTake, AnotherListOfTablesIsMadeOfWhatRemains) {
     for (const int64_t bytes : {16, 100, 512}) {
         SCOPED_TRACE(bytes);

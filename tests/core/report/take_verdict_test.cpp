@@ -194,6 +194,22 @@ TEST_F(TakeVerdictTest, LossyBoardsAreListedWorstFirst) {
     EXPECT_FALSE(this->verdict().lost_together) << "one lost more than the link did";
 }
 
+TEST_F(TakeVerdictTest, BoardsThatComeAndGoAreSaidSo) {
+    for (ReportBoard& board : report_.boards)
+        board.frames_lost = board.frames_absent = 1000, board.joined_s = 7.1;
+    report_.boards[7].frames_lost = 1400;
+    report_.boards[7].left_s = 12;
+    const TakeVerdict verdict = this->verdict();
+    EXPECT_FALSE(verdict.lost_together);
+    EXPECT_EQ(verdict.lossy_boards.front().joined_s, 7.1);
+    std::string reasons;
+    for (const std::string& reason : judge(report_).reasons)
+        reasons += reason + "\n";
+    EXPECT_NE(reasons.find("All boards joined at 0:07."), std::string::npos) << reasons;
+    EXPECT_NE(reasons.find("joined at 0:07 and left at 0:12."), std::string::npos) << reasons;
+    EXPECT_EQ(reasons.find("driver box"), std::string::npos) << reasons;
+}
+
 TEST_F(TakeVerdictTest, HolesAreMergedBeforeTheyAreMeasured) {
     report_.gaps_s = {{5, 5.2}, {5.1, 5.3}, {5.3, 5.4}, {19.95, 30}};
     const TakeVerdict verdict = this->verdict();
@@ -208,6 +224,16 @@ TEST_F(TakeVerdictTest, LargeResidualsAreAReason) {
             pulse.residual_m = 0.06F;
     EXPECT_EQ(verdict().grade, Grade::kNotUsable);
     EXPECT_EQ(verdict().reasons, std::vector{VerdictReason::kResidual});
+}
+
+TEST_F(TakeVerdictTest, MostDistancesThrownOutIsNeverGood) {
+    for (ReportPair& pair : report_.pairs)
+        for (PulseAtBoard& pulse : pair.pulses)
+            if (pulse.fate == PulseFate::kUsed)
+                pulse.fate = PulseFate::kRejected;
+    compare(1);
+    EXPECT_EQ(verdict().grade, Grade::kUsable) << "a small error too tells nothing of the distances";
+    EXPECT_EQ(std::ranges::count(verdict().reasons, VerdictReason::kDistances), 1);
 }
 
 TEST_F(TakeVerdictTest, AnUncalibratedTakeHasOneReasonAndNoOther) {
