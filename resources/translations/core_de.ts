@@ -10033,6 +10033,10 @@
         <translation>%1: sendet nichts</translation>
     </message>
     <message>
+        <source>%1: the sound broke off before the recording ended</source>
+        <translation>%1: der Ton brach ab, bevor die Aufnahme endete</translation>
+    </message>
+    <message>
         <source>(not yet as one file)</source>
         <translation>(noch nicht als eine Datei)</translation>
     </message>
@@ -10071,6 +10075,10 @@
     <message>
         <source>Check that it is switched on and that the address is right</source>
         <translation>Prüfen, ob sie eingeschaltet ist und die Adresse stimmt</translation>
+    </message>
+    <message>
+        <source>Check the cable and the box's battery, and record again</source>
+        <translation>Kabel und Akku der Box prüfen und noch einmal aufnehmen</translation>
     </message>
     <message>
         <source>Close the other program</source>
@@ -10153,6 +10161,10 @@
         <translation>Der Anzug ist nicht kalibriert: sein Ton wird ganz aufgezeichnet, aber keine Posen. Die Aufnahme mit einer Kalibrierung verarbeiten.</translation>
     </message>
     <message>
+        <source>The suit was lost after %.1f s and did not come back; the last %.1f s of the take are missing and marked as a gap.</source>
+        <translation>Der Anzug ging nach %.1f s verloren und kam nicht zurück; die letzten %.1f s der Aufnahme fehlen und sind als Lücke vermerkt.</translation>
+    </message>
+    <message>
         <source>The take ended before its rest pose did. All of its sound is there, but no pose.</source>
         <translation>Die Aufnahme endete vor ihrer Ruhehaltung. Ihr Ton ist vollständig da, aber keine Pose.</translation>
     </message>
@@ -10195,6 +10207,10 @@
     <message>
         <source>the live view</source>
         <translation>die Live-Ansicht</translation>
+    </message>
+    <message>
+        <source>was lost after %.1f s and did not come back; the last %.1f s of it are missing and marked as a gap.</source>
+        <translation>ging nach %.1f s verloren und kam nicht zurück; die letzten %.1f s davon fehlen und sind als Lücke vermerkt.</translation>
     </message>
     <message>
         <source>was lost after %.1f s and did not come back; the last %.1f s of it are missing and marked as a gap. The other suits were recorded on.</source>
