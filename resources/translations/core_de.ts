@@ -4312,6 +4312,14 @@
         <translation>%1 sagt nicht, welche Achse nach oben zeigt; %2 wurde genommen, längs der ihre Marker am weitesten reichen.</translation>
     </message>
     <message>
+        <source>%1 holds its first pose until %2 s.</source>
+        <translation>%1 hält bis %2 s die erste Pose.</translation>
+    </message>
+    <message>
+        <source>%1 holds its last pose from %2 s on.</source>
+        <translation>%1 hält ab %2 s die letzte Pose.</translation>
+    </message>
+    <message>
         <source>%1 led by the %2, %3: %4 commands, %5 following, %6 states</source>
         <translation>%1, geführt von %2, %3: %4 Befehle, davon %5 folgend, %6 Zustände</translation>
     </message>
@@ -4366,6 +4374,10 @@
     <message>
         <source>%1: %2 and were left out.</source>
         <translation>%1: %2 und wurden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>%1: %2 has no pose in this result</source>
+        <translation>%1: %2 hat in diesem Ergebnis keine Pose</translation>
     </message>
     <message>
         <source>%1: %2 of the take's %3 moving joints were recognised.</source>
@@ -4446,10 +4458,6 @@
     <message>
         <source>%1: its columns are not those of the take's body</source>
         <translation>%1: die Spalten sind nicht die des Körpers der Aufnahme</translation>
-    </message>
-    <message>
-        <source>%1: its performers are never seen at the same time</source>
-        <translation>%1: Die Darsteller sind nie gleichzeitig zu sehen</translation>
     </message>
     <message>
         <source>%1: its suits are not counted from 1</source>
@@ -4704,8 +4712,8 @@
         <translation>Fehler über der Zeit</translation>
     </message>
     <message>
-        <source>Export a file for each of them</source>
-        <translation>Exportieren Sie für jede eine Datei</translation>
+        <source>Export a file for each of the others</source>
+        <translation>Exportieren Sie für jeden der anderen eine Datei</translation>
     </message>
     <message>
         <source>Export the take again</source>
