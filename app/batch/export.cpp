@@ -212,6 +212,14 @@ std::string describe(const ExportRequest& request, const ExportSummary& summary,
     return std::to_string(format == ExportFormat::kVideo ? summary.film_frames : summary.frames) + " frames";
 }
 
+/// Who stands still where no pose was captured.
+void tellHeld(const ExportSummary& summary, Outcome& outcome) {
+    if (!summary.notices.empty())
+        outcome.json["held"] = summary.notices;
+    for (const std::string& notice : summary.notices)
+        outcome.text += notice + "\n";
+}
+
 Outcome outcomeOf(const ExportRequest& request, const ExportSummary& summary) {
     Outcome outcome;
     outcome.json = {{"take", request.take_path},        {"run", summary.run},
@@ -232,6 +240,7 @@ Outcome outcomeOf(const ExportRequest& request, const ExportSummary& summary) {
         }
         outcome.text += ".\n";
     }
+    tellHeld(summary, outcome);
     return outcome;
 }
 
@@ -240,6 +249,9 @@ void merge(const nlohmann::json& one, nlohmann::json& all) {
     all["files"].insert(all["files"].end(), one["files"].begin(), one["files"].end());
     if (one.contains("begin_s"))
         all["begin_s"].update(one["begin_s"]);
+    if (one.contains("held"))
+        for (const nlohmann::json& notice : one["held"])
+            all["held"].push_back(notice);
 }
 
 /// The body that --mesh names; null for ours.
@@ -282,11 +294,12 @@ Result<Outcome> writeOneFile(const VerbContext& context, const std::vector<Expor
         outcome.json["from_s"] = *requests.front().from_s;
         outcome.json["to_s"] = *requests.front().to_s;
         char span[96];
-        std::snprintf(span, sizeof span, ", seconds %.3f to %.3f of the take, where all of them have poses",
-                      *requests.front().from_s, *requests.front().to_s);
+        std::snprintf(span, sizeof span, ", seconds %.3f to %.3f of the take", *requests.front().from_s,
+                      *requests.front().to_s);
         outcome.text += span;
     }
     outcome.text += ".\n";
+    tellHeld(*summary, outcome);
     return outcome;
 }
 
@@ -368,7 +381,8 @@ std::vector<Option> fileOptions() {
 
 std::vector<Option> partOptions() {
     return {number("from", "S", 0, 86400,
-                   "first second of the take; the first pose from there on is time 0 of what is written"),
+                   "first second of the take; the first pose from there on is time 0 of what is written (a "
+                   "CSV has the take's time)"),
             number("to", "S", 0, 86400, "last second of the take"),
             choice("root", {"moving", "in-place", "heading"},
                    "as captured; over one spot; over one spot and always facing forward")

@@ -14,9 +14,11 @@ namespace noctule {
 
 /// Joints in the skeleton's order, then with `angles` a column JOINT.FREEDOM in degrees for every named
 /// degree of freedom (projectOntoJoint without limits). Metres and degrees to 1e-6, time to 1 ns.
-std::string formatPositionsCsv(const MotionClip& clip, bool angles);
+/// `begin_s`: time of the first row.
+std::string formatPositionsCsv(const MotionClip& clip, bool angles, double begin_s = 0);
 /// kUnusable when a value is not finite.
-Status writePositionsCsv(const std::string& path, const MotionClip& clip, bool angles, bool overwrite);
+Status writePositionsCsv(const std::string& path, const MotionClip& clip, bool angles, bool overwrite,
+                         double begin_s = 0);
 
 struct PositionTable {
     std::vector<double> time_s;  ///< strictly rising

@@ -52,11 +52,11 @@ void appendAngles(std::string& text, const Skeleton& skeleton, const Pose& pose)
 
 }  // namespace
 
-std::string formatPositionsCsv(const MotionClip& clip, bool angles) {
+std::string formatPositionsCsv(const MotionClip& clip, bool angles, double begin_s) {
     std::string text;
     appendHeader(text, clip.skeleton, angles);
     for (size_t f = 0; f < clip.frames.size(); ++f) {
-        appendFixed(text, static_cast<double>(f) * clip.frame_time_s, 9);
+        appendFixed(text, begin_s + static_cast<double>(f) * clip.frame_time_s, 9);
         for (const Vector3d& p_m : globalPose(clip, f).p_world_joint)
             for (int axis = 0; axis < 3; ++axis)
                 appendNumber(text, p_m[axis]);
@@ -67,12 +67,13 @@ std::string formatPositionsCsv(const MotionClip& clip, bool angles) {
     return text;
 }
 
-Status writePositionsCsv(const std::string& path, const MotionClip& clip, bool angles, bool overwrite) {
+Status writePositionsCsv(const std::string& path, const MotionClip& clip, bool angles, bool overwrite,
+                         double begin_s) {
     if (Status free = checkOutputPath(path, overwrite); !free)
         return free;
     if (Status finite = checkFinite(clip); !finite)
         return finite;
-    return writeFileAtomically(path, formatPositionsCsv(clip, angles), overwrite);
+    return writeFileAtomically(path, formatPositionsCsv(clip, angles, begin_s), overwrite);
 }
 
 }  // namespace noctule

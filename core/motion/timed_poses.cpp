@@ -31,15 +31,16 @@ Result<TimedMotion> PoseSource::all() const {
     return motion;
 }
 
-Result<std::optional<int64_t>> PoseSource::begin_ns() const {
-    std::optional<int64_t> begin;
-    const Status walked = forEach([&begin](TimedPose&& frame) {
-        begin = frame.time_ns;
-        return false;
+Result<std::optional<PoseSpan>> PoseSource::seen() const {
+    std::optional<PoseSpan> span;
+    const Status walked = forEach([&span](TimedPose&& frame) {
+        if (frame.pose && isUsable(*frame.pose))
+            span = PoseSpan{span ? span->first_ns : frame.time_ns, frame.time_ns};
+        return true;
     });
     if (!walked)
         return walked.error();
-    return begin;
+    return span;
 }
 
 PoseSource sourceOf(const TimedMotion& motion) {
@@ -107,6 +108,17 @@ std::optional<Pose> PoseSampler::at(int64_t time_ns) {
     const double step = static_cast<double>(frame(next_).time_ns - before.time_ns);
     return interpolate(*before.pose, *frame(next_).pose,
                        static_cast<double>(time_ns - before.time_ns) / step);
+}
+
+std::optional<PoseSpan> PoseSampler::seen() const {
+    if (seen_.empty())
+        return std::nullopt;
+    return PoseSpan{motion_.frames[seen_.front()].time_ns, motion_.frames[seen_.back()].time_ns};
+}
+
+std::optional<Pose> PoseSampler::held(int64_t time_ns) {
+    const auto span = seen();
+    return span ? at(std::clamp(time_ns, span->first_ns, span->last_ns)) : std::nullopt;
 }
 
 std::optional<Pose> poseAt(const TimedMotion& motion, int64_t time_ns, int64_t max_gap_ns) {

@@ -25,6 +25,11 @@ struct TimedMotion {
     std::vector<TimedPose> frames;  ///< times strictly increasing
 };
 
+/// From the first usable pose of a motion to the last.
+struct PoseSpan {
+    int64_t first_ns = 0, last_ns = 0;
+};
+
 /// Called for every frame; false stops the walk.
 using PoseSink = std::function<bool(TimedPose&&)>;
 
@@ -34,8 +39,8 @@ struct PoseSource {
     std::function<Status(const PoseSink&)> forEach;
 
     Result<TimedMotion> all() const;
-    /// Of its first frame; none: it has no frames.
-    Result<std::optional<int64_t>> begin_ns() const;
+    /// None: nothing was seen.
+    Result<std::optional<PoseSpan>> seen() const;
 };
 
 /// `motion` must outlive it.
@@ -73,6 +78,9 @@ public:
 
     /// The pose at a time; nothing outside the motion or within a gap. Fast when times increase.
     std::optional<Pose> at(int64_t time_ns);
+    /// The same; before the motion its first pose, after it the last one.
+    std::optional<Pose> held(int64_t time_ns);
+    std::optional<PoseSpan> seen() const;
 
 private:
     const TimedMotion& motion_;

@@ -14,6 +14,7 @@
 #include "core/processing/contacts_in_force.h"
 #include "core/processing/export_comparison.h"
 #include "core/processing/export_motion.h"
+#include "core/processing/held_pose.h"
 #include "core/processing/pose_runs.h"
 
 namespace noctule {
@@ -37,15 +38,20 @@ Result<ExpectedMotion> expectedMotion(const Take& take, const ExportRequest& req
         return expected;
     const int64_t first = motion->frames.front().time_ns, last = motion->frames.back().time_ns;
     const int64_t begin = request.from_s ? toNs(*request.from_s) : first;
-    const int64_t end = std::min(request.to_s ? toNs(*request.to_s) : last, last);
+    const int64_t to = request.to_s ? toNs(*request.to_s) : last;
+    const int64_t end = request.holds_ends ? to : std::min(to, last);
     PoseSampler sampler(*motion, std::numeric_limits<int64_t>::max());
+    int64_t end_ns = begin;
     for (int64_t i = 0, time_ns = begin; time_ns <= end;
          time_ns = begin + toNs(static_cast<double>(++i) * expected.frame_time_s))
-        if (auto pose = sampler.at(time_ns)) {
+        if (auto pose = request.holds_ends ? sampler.held(time_ns) : sampler.at(time_ns)) {
             if (expected.frames.empty())
                 expected.begin_s = static_cast<double>(time_ns) * 1e-9;
             expected.frames.push_back(std::move(*pose));
+            end_ns = time_ns;
         }
+    if (const auto seen = sampler.seen(); seen && request.holds_ends)
+        expected.held = heldInWords(request.subject, *seen, toNs(expected.begin_s), end_ns);
     if (!request.with_body || !request.worn)
         return expected;
     const auto contacts = contactsInForce(take, run, *motion);
@@ -215,6 +221,7 @@ ExportCheck checkFile(const std::string& path, const CheckedTake& take, const Ex
     check.run = take.run;
     check.held_by = take.held_by;
     check.silent = take.silent;
+    check.held = take.expected.held;
     check.expected_frames = take.expected.frames.size();
     check.expected_joints = take.expected.skeleton.size();
     check.position_limit_m = kExportPosition_m;

@@ -57,6 +57,7 @@ struct ExportCheck {
     double largest_angle_rad = 0, largest_position_m = 0;
     double position_limit_m = 0;  ///< what rounding in this kind of file can explain
     std::vector<SilentBoard> silent;
+    std::vector<std::string> held;    ///< whole sentences: who stands still where no pose was captured
     std::vector<std::string> faults;  ///< whole sentences; empty: the file holds what the take holds
 
     bool ok() const { return faults.empty(); }

@@ -17,7 +17,8 @@ struct ExpectedMotion {
     double frame_time_s = 0;
     double begin_s = 0;  ///< of the first frame, on the take's clock
     std::vector<Pose> frames;
-    FootPlants plants;  ///< of a body whose feet keep their place
+    std::vector<std::string> held;  ///< whole sentences
+    FootPlants plants;              ///< of a body whose feet keep their place
     FeetAtRest feet_at_rest{};
 };
 

@@ -114,7 +114,8 @@ std::vector<ExportWriter> exportWriters(const ExportRequest& request, const Expo
     add(request.fbx_path, [&](const JobContext& job) { return writeFbxFile(request, motion, job); });
     add(request.glb_path, [&](const JobContext& job) { return writeGlbFile(request, motion, job); });
     add(request.csv_path, [&](const JobContext&) {
-        return writePositionsCsv(request.csv_path, motion.clip, request.angles, request.overwrite);
+        return writePositionsCsv(request.csv_path, motion.clip, request.angles, request.overwrite,
+                                 motion.begin_s);
     });
     add(request.mot_path, [&](const JobContext&) {
         return writeTableFile(request.mot_path, openSimAngles(motion.clip), request.overwrite);

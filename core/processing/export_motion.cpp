@@ -9,6 +9,7 @@
 #include "core/math/rotation.h"
 #include "core/processing/bone_confidence.h"
 #include "core/processing/contacts_in_force.h"
+#include "core/processing/held_pose.h"
 #include "core/processing/pose_runs.h"
 
 namespace noctule {
@@ -45,19 +46,23 @@ Result<ExportedMotion> cut(const Take& take, const RunMotion& from, const Export
         PoseSampler sampler(motion, std::numeric_limits<int64_t>::max());
         const auto toNs = [](double s) { return static_cast<int64_t>(std::llround(s * 1e9)); };
         const int64_t begin = request.from_s ? toNs(*request.from_s) : motion.frames.front().time_ns;
-        const int64_t end = request.to_s ? std::min(toNs(*request.to_s), motion.frames.back().time_ns)
-                                         : motion.frames.back().time_ns;
+        const int64_t last = motion.frames.back().time_ns, to = request.to_s ? toNs(*request.to_s) : last;
+        const int64_t end = request.holds_ends ? to : std::min(to, last);
+        int64_t end_ns = begin;
         for (int64_t i = 0;; ++i) {
             const int64_t time_ns = begin + toNs(static_cast<double>(i) / frames_per_second);
             if (time_ns > end)
                 break;
-            if (auto pose = sampler.at(time_ns)) {
+            if (auto pose = request.holds_ends ? sampler.held(time_ns) : sampler.at(time_ns)) {
                 if (clip.frames.empty())
                     exported.begin_s = static_cast<double>(time_ns) * 1e-9;
                 clip.frames.push_back(std::move(*pose));
                 exported.confidence.push_back(boneConfidence(motion, time_ns));
+                end_ns = time_ns;
             }
         }
+        if (const auto seen = sampler.seen(); seen && request.holds_ends)
+            exported.held = heldInWords(request.subject, *seen, toNs(exported.begin_s), end_ns);
     }
     if (clip.frames.empty())
         return Error{ErrorKind::kUnusable, take.path() + ": there is no pose in the part to export",

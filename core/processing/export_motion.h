@@ -16,6 +16,7 @@ struct ExportedMotion {
     std::string run;
     MotionClip clip;
     double begin_s = 0;                          ///< of its first frame, on the take's clock
+    std::vector<std::string> held;               ///< whole sentences: where it stands still
     std::vector<std::vector<float>> confidence;  ///< per frame and joint; empty: not known
     StandingFeet feet;                           ///< of the clip; none when they stay free
     MotionClip filmed;                           ///< at the film's rate; empty without pictures

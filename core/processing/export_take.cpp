@@ -2,6 +2,7 @@
 #include "core/processing/export_take.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "core/formats/fbx_writer.h"
 #include "core/formats/glb_writer.h"
@@ -70,8 +71,8 @@ Result<ExportSummary> exportTake(const ExportRequest& request, const JobContext&
         return exported.error();
     const MotionClip& clip = exported->clip;
     ExportSummary summary{
-        exported->run,    clip.frames.size(), exported->filmed.frames.size(), clip.duration_s(), {},
-        exported->begin_s};
+        exported->run,     clip.frames.size(), exported->filmed.frames.size(), clip.duration_s(), {},
+        exported->begin_s, exported->held};
     const auto writers = exportWriters(request, *exported);
     const double step = 0.7 / static_cast<double>(writers.size());
     for (const ExportWriter& writer : writers) {
@@ -121,6 +122,7 @@ private:
         if (is_first_round) {
             const bool is_same_time = take > 0 && !takes_[take].character.empty();
             summary_.run = exported->run;
+            std::ranges::copy(exported->held, std::back_inserter(summary_.notices));
             summary_.frames += is_same_time ? 0 : exported->clip.frames.size();
             summary_.duration_s += is_same_time ? 0 : exported->clip.duration_s();
         }

@@ -31,6 +31,10 @@ struct ExportRequest {
     std::optional<int> suit;  ///< whose poses, by the subject's first suit; none: the first subject's
     double frames_per_second = 120;
     std::optional<double> from_s, to_s;  ///< of the take's clock; the first frame stands at from_s
+    /// From from_s to to_s, whether there are poses or not: before the first one stands that, after the last
+    /// one that (held_pose.h). For files of several people, which begin and end together.
+    bool holds_ends = false;
+    std::string subject;  ///< whose poses, in words
     RootMotion root = RootMotion::kMoving;
     std::string bvh_path, fbx_path, glb_path, csv_path, mot_path, sto_path, png_path,
         video_path;                       ///< empty: none
@@ -57,7 +61,8 @@ struct ExportSummary {
     size_t film_frames = 0;  ///< of a film
     double duration_s = 0;
     std::vector<std::string> files;
-    double begin_s = 0;  ///< of the take's clock: time 0 of the files
+    double begin_s = 0;                  ///< of the take's clock: time 0 of the files
+    std::vector<std::string> notices{};  ///< whole sentences: who holds a pose where none was captured
 };
 
 /// One format: its name on the command line, the ending of its files, and where its path stands.

@@ -2,16 +2,13 @@
 #include "core/processing/run_subjects.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
-#include <limits>
 
-#include "core/processing/export_motion.h"
 #include "core/processing/pose_runs.h"
 
 namespace noctule {
 namespace {
-
-constexpr double kHalfNanosecond_s = 0.5e-9;  // so that rounding leaves out no last frame
 
 /// What neither a file's name nor a name in a file can hold becomes an underscore.
 std::string fileWord(std::string name) {
@@ -20,29 +17,57 @@ std::string fileWord(std::string name) {
     return name;
 }
 
-/// Of whoever is seen first.
-Result<std::optional<double>> firstPose_s(const ExportRequest& request,
-                                          const std::vector<TakeSubject>& subjects) {
+int64_t roundedNs(double s) {
+    return std::llround(s * 1e9);
+}
+
+std::string subjectInWords(const TakeSubject& subject) {
+    return subject.name.empty() ? "Suit " + std::to_string(subject.suit()) : subject.name;
+}
+
+/// From whoever is seen first to whoever is seen last; none: nobody is seen. `all`: an error when one of them
+/// is never seen.
+Result<std::optional<PoseSpan>> seenOf(const ExportRequest& request, const std::vector<TakeSubject>& subjects,
+                                       bool all) {
     const auto take = Take::open(request.take_path);
     if (!take)
         return take.error();
     const auto run = choosePoseRun(*take, request.run);
     if (!run)
         return run.error();
-    std::optional<double> first_s;
+    std::optional<PoseSpan> whole;
     for (const TakeSubject& subject : subjects) {
         const auto poses = take->poseSource(run->run, subject.suit());
         if (!poses)
             return poses.error();
-        const auto begin_ns = poses->begin_ns();
-        if (!begin_ns)
-            return begin_ns.error();
-        if (*begin_ns) {
-            const double begin_s = static_cast<double>(**begin_ns) * 1e-9;
-            first_s = std::min(begin_s, first_s.value_or(begin_s));
-        }
+        const auto seen = poses->seen();
+        if (!seen)
+            return seen.error();
+        if (!*seen && all)
+            return Error{ErrorKind::kUnusable,
+                         request.take_path + ": " + subjectInWords(subject) + " has no pose in this result",
+                         "Export a file for each of the others"};
+        if (*seen)
+            whole = whole ? PoseSpan{std::min(whole->first_ns, (*seen)->first_ns),
+                                     std::max(whole->last_ns, (*seen)->last_ns)}
+                          : **seen;
     }
-    return first_s;
+    return whole;
+}
+
+/// The part in which anybody is seen, on the grid of frames that the request asks for.
+void cutTo(const PoseSpan& seen, ExportRequest& request) {
+    int64_t begin_ns = request.from_s ? roundedNs(*request.from_s) : seen.first_ns;
+    if (begin_ns < seen.first_ns) {
+        constexpr double kRounding_frames = 1e-6;
+        const double frames =
+            1e-9 * static_cast<double>(seen.first_ns - begin_ns) * request.frames_per_second;
+        begin_ns += roundedNs(std::ceil(frames - kRounding_frames) / request.frames_per_second);
+    }
+    request.from_s = static_cast<double>(begin_ns) * 1e-9;
+    const int64_t to_ns = request.to_s ? roundedNs(*request.to_s) : seen.last_ns;
+    request.to_s = static_cast<double>(std::min(to_ns, seen.last_ns)) * 1e-9;
+    request.holds_ends = true;
 }
 
 }  // namespace
@@ -58,18 +83,19 @@ Result<std::vector<ExportRequest>> requestsOfSubjects(const ExportRequest& reque
     const auto subjects = subjectsOfRun(request.take_path, request.run);
     if (!subjects)
         return subjects.error();
-    std::optional<double> from_s = request.from_s;
-    if (!from_s && subjects->size() > 1) {
-        const auto begin_s = firstPose_s(request, *subjects);
-        if (!begin_s)
-            return begin_s.error();
-        from_s = *begin_s;
+    ExportRequest each = request;
+    if (subjects->size() > 1) {
+        const auto seen = seenOf(request, *subjects, false);
+        if (!seen)
+            return seen.error();
+        if (*seen)
+            cutTo(**seen, each);
     }
     std::vector<ExportRequest> requests;
     for (const TakeSubject& subject : *subjects) {
-        ExportRequest own = request;
+        ExportRequest own = each;
         own.suit = subject.suit();
-        own.from_s = from_s;
+        own.subject = subjectInWords(subject);
         for (const ExportFormatEntry& format : exportFormats())
             if (std::string& path = own.*format.path; subjects->size() > 1 && !path.empty())
                 path = pathOfSubject(path, subject.name);
@@ -84,28 +110,19 @@ Result<std::vector<ExportRequest>> requestsTogether(const ExportRequest& request
         return subjects.error();
     if (subjects->size() == 1)
         return std::vector{request};
+    const auto seen = seenOf(request, *subjects, true);
+    if (!seen)
+        return seen.error();
+    ExportRequest each = request;
+    cutTo(**seen, each);
+    each.png_path = each.video_path = "";
     std::vector<ExportRequest> requests;
-    double from_s = 0, to_s = std::numeric_limits<double>::infinity();
     for (const TakeSubject& subject : *subjects) {
-        ExportRequest own = request;
+        ExportRequest own = each;
         own.suit = subject.suit();
+        own.subject = subjectInWords(subject);
         own.character = fileWord(subject.name.empty() ? std::to_string(subject.suit()) : subject.name);
-        own.png_path = own.video_path = "";
-        const auto exported = exportedMotion(own);
-        if (!exported)
-            return exported.error();
-        const double steps = static_cast<double>(exported->clip.frames.size() - 1);
-        from_s = std::max(from_s, exported->begin_s);
-        to_s = std::min(to_s, exported->begin_s + steps * exported->clip.frame_time_s);
         requests.push_back(std::move(own));
-    }
-    if (to_s < from_s)
-        return Error{ErrorKind::kUnusable,
-                     request.take_path + ": its performers are never seen at the same time",
-                     "Export a file for each of them"};
-    for (ExportRequest& own : requests) {
-        own.from_s = from_s;
-        own.to_s = to_s + kHalfNanosecond_s;
     }
     return requests;
 }

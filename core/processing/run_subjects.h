@@ -15,11 +15,12 @@ Result<std::vector<TakeSubject>> subjectsOfRun(const std::string& take_path, con
 std::string pathOfSubject(const std::string& path, const std::string& subject);
 
 /// The same export for each subject of its run; where there are several, files are called "walk_A.bvh"
-/// instead of "walk.bvh", and their frames are at the same instants: those of whoever is seen first go on.
+/// instead of "walk.bvh". Their frames are at the same instants, from whoever is seen first to whoever is
+/// seen last; the others hold their first and last poses (held_pose.h).
 Result<std::vector<ExportRequest>> requestsOfSubjects(const ExportRequest& request);
 
-/// The same export with all subjects of its run as characters of one FBX or GLB file (exportStacks()), while
-/// all of them have poses. A single subject gives the request as it is. kUnusable when they never do.
+/// The same export with all subjects of its run as characters of one FBX or GLB file (exportStacks()), at the
+/// same instants as well. A single subject gives the request as it is. kUnusable when one is never seen.
 Result<std::vector<ExportRequest>> requestsTogether(const ExportRequest& request);
 
 }  // namespace noctule

@@ -12,9 +12,6 @@
 namespace noctule {
 namespace {
 
-/// Boxes start some milliseconds apart, and the rest of a take comes in blocks: less is no loss.
-constexpr double kWorthMarking_s = 0.25;
-
 std::string suitName(size_t index) {
     return "suit " + std::to_string(index + 1);
 }
@@ -219,48 +216,70 @@ void LiveGroup::stop() {
     }
 }
 
-/// One sentence per suit; empty for those that lack nothing.
-std::vector<std::string> LiveGroup::markMissing() {
+std::string LiveGroup::missingInWords(size_t index, double missing_s, bool is_lost,
+                                      bool others_went_on) const {
+    char text[160];
+    if (!is_lost)
+        std::snprintf(text, sizeof text,
+                      " came late: when the recording was stopped, its last %.1f s were not there yet. "
+                      "They are marked as a gap.",
+                      missing_s);
+    else if (others_went_on)
+        std::snprintf(text, sizeof text,
+                      " was lost after %.1f s and did not come back; the last %.1f s of it are missing "
+                      "and marked as a gap. The other suits were recorded on.",
+                      reachedOf_s(index), missing_s);
+    else
+        std::snprintf(text, sizeof text,
+                      " was lost after %.1f s and did not come back; the last %.1f s of it are missing "
+                      "and marked as a gap.",
+                      reachedOf_s(index), missing_s);
+    return asSentence(nameOf(index)) + text;
+}
+
+/// One per suit.
+std::vector<LiveGroup::Missing> LiveGroup::markMissing() {
+    const auto rateOf_hz = [&](size_t i) {
+        const auto hello = session(i).status()->hello;
+        return static_cast<double>(hello ? hello->sample_rate_hz : 1);
+    };
+    std::vector<Missing> missing(size());
+    std::vector<bool> is_lost(size());
     double end_s = 0;
-    for (size_t i = 0; i < size(); ++i)
-        end_s = std::max(end_s, reachedOf_s(i));
-    std::vector<std::string> said(size());
+    for (size_t i = 0; i < size(); ++i) {
+        const auto until = session(i).brokenOffUntil();
+        missing[i].broke_off = until.has_value();
+        is_lost[i] = until || !members_[i].flowed_to_the_end || session(i).status()->trouble;
+        end_s = std::max({end_s, reachedOf_s(i), static_cast<double>(until.value_or(0)) / rateOf_hz(i)});
+    }
+    const bool one_went_on = std::ranges::find(is_lost, false) != is_lost.end();
     for (size_t i = 0; i < size(); ++i) {
         const double missing_s = end_s - reachedOf_s(i);
-        const auto input = session(i).takeInput();
-        if (missing_s < kWorthMarking_s || !input)
+        const auto recording = session(i).recording();
+        const bool is_whole = missing_s < LiveSession::kWorthMarking_s && !missing[i].broke_off;
+        if (is_whole || !recording || recording->ended)
             continue;
-        const auto now = session(i).status();
-        const int64_t from = session(i).reachedSample();
-        input->recorder->push(GapRow{from, std::llround(missing_s * now->hello->sample_rate_hz), std::nullopt,
-                                     now->trouble ? kGapOfBox : kGapOfLink});
-        char text[160];
-        if (members_[i].flowed_to_the_end && !now->trouble)
-            std::snprintf(text, sizeof text,
-                          " came late: when the recording was stopped, its last %.1f s were not there yet. "
-                          "They are marked as a gap.",
-                          missing_s);
-        else
-            std::snprintf(text, sizeof text,
-                          " was lost after %.1f s and did not come back; the last %.1f s of it are missing "
-                          "and marked as a gap. The other suits were recorded on.",
-                          reachedOf_s(i), missing_s);
-        said[i] = asSentence(nameOf(i)) + text;
+        missing[i].said = missingInWords(i, missing_s, is_lost[i], one_went_on);
+        session(i).markMissing(std::llround(end_s * rateOf_hz(i)));
     }
-    return said;
+    return missing;
 }
 
 std::vector<StreamResult> LiveGroup::finish(std::optional<double> patience_s) {
     const int64_t begun_ns = steadyNow_ns();
-    const std::vector<std::string> missing = markMissing();
+    const std::vector<Missing> missing = markMissing();
     std::vector<StreamResult> results;
     std::optional<double> left_s;
     for (size_t i = 0; i < size(); ++i) {
         if (patience_s)
             left_s = std::max(0.0, *patience_s - static_cast<double>(steadyNow_ns() - begun_ns) * 1e-9);
         results.push_back(session(i).finish(left_s));
-        if (!missing[i].empty())
-            results.back().warnings.insert(results.back().warnings.begin(), missing[i]);
+        StreamResult& result = results.back();
+        if (missing[i].said.empty())
+            continue;
+        result.warnings.insert(result.warnings.begin(), missing[i].said);
+        if (missing[i].broke_off && !result.trouble)
+            result.trouble = session(i).lostError();
     }
     return results;
 }

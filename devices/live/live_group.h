@@ -72,8 +72,8 @@ public:
     /// Asks all boxes to stop.
     void stop();
     bool hasStopped() const;
-    /// Completes the take. Sound that a suit lacks at the end, and others have, becomes a gap; a warning of
-    /// that suit says so. `patience_s`: as for one suit, for all of them.
+    /// Completes the take. Sound that a suit lacks at the end, and others have or would have, becomes a gap;
+    /// a warning of that suit says so. `patience_s`: as for one suit, for all of them.
     std::vector<StreamResult> finish(std::optional<double> patience_s = {});
     /// After finish(): removes the take.
     void discard() const { discardTakeFile(path_); }
@@ -94,7 +94,13 @@ private:
     StreamRequest requestOf(const GroupRequest& request, size_t index) const;
     Result<Prepared> prepare(const GroupRequest& request, const std::vector<SuitVoice>& voices);
     const std::string& nameOf(size_t index) const { return members_[index].name; }
-    std::vector<std::string> markMissing();
+    /// What a suit lacks at the end of the take.
+    struct Missing {
+        std::string said;        ///< a whole sentence or two; empty: nothing
+        bool broke_off = false;  ///< its link was stalled or lost
+    };
+    std::vector<Missing> markMissing();
+    std::string missingInWords(size_t index, double missing_s, bool is_lost, bool others_went_on) const;
 
     std::vector<Member> members_;
     std::string path_;

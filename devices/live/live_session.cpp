@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "devices/live/live_session.h"
 
+#include "devices/machine/clock.h"
+
 namespace noctule {
 
 LiveSession::LiveSession(std::unique_ptr<Device> device) : device_(std::move(device)) {}
@@ -18,7 +20,9 @@ void LiveSession::connect() {
 }
 
 void LiveSession::stop() {
-    change([](SessionStatus& s) {
+    const int64_t due = dueSample();
+    change([&](SessionStatus& s) {
+        due_sample_ = due_sample_.value_or(due);
         if (s.stream_is_open && s.link != LinkState::kLost)
             s.link = LinkState::kStopping;
     });
@@ -37,6 +41,10 @@ void LiveSession::feed(DeviceEvent&& event) {
     const auto data = streamEventOf(std::move(event), board_count_);
     if (!data)
         return;
+    if (const auto* block = std::get_if<ArrivedBlock>(&*data)) {
+        newest_sound_ns_ = block->arrived_ns;
+        is_silent_ = false;
+    }
     if (past_)
         past_->add(*data);
     for (const auto& fed : feeds_)
@@ -46,6 +54,7 @@ void LiveSession::feed(DeviceEvent&& event) {
 void LiveSession::markStarted() {
     const std::lock_guard lock(order_);
     started_ = true;
+    newest_sound_ns_ = steadyNow_ns();
 }
 
 /// `link`: as it is from then on.
@@ -53,6 +62,7 @@ void LiveSession::endStream(const std::optional<Error>& why, LinkState link) {
     {
         const std::lock_guard lock(order_);
         started_ = false;
+        is_silent_ = false;
         for (const auto& fed : feeds_)
             fed->flush();
     }
@@ -91,8 +101,10 @@ void LiveSession::follow(const link::StudioEvent& event) {
     } else if (std::get_if<link::Flowing>(&event)) {
         showFlow(LinkState::kStreaming);
     } else if (std::get_if<link::Stalled>(&event)) {
+        is_silent_ = status()->stream_is_open;
         showFlow(LinkState::kStalled);
     } else if (const auto* lost = std::get_if<link::LinkLost>(&event)) {
+        is_silent_ = status()->stream_is_open;
         change([&](SessionStatus& s) {
             s.link = LinkState::kLost;
             s.last_message = lost->why.text();

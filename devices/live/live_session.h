@@ -2,13 +2,14 @@
 // A device at work: connects it, records and processes its streams, and shows how all of it fares. A stream
 // reaches from begin() to finish(); with a take in its request it is recorded, without one it is only looked
 // at. While somebody only looks, takes can begin and end in the stream's midst, even some seconds before they
-// were asked for. A link that breaks and comes back leaves a gap in the take; a box that restarts ends it,
-// intact.
+// were asked for. A link that breaks leaves a gap in the take, to its end where it does not come back; a box
+// that restarts ends it, intact.
 //
 // begin() (it opens a file) and finish() (it waits for the disk and the pipeline) belong into a job: on any
 // thread, one after the other. All others return at once and may be called from any thread meanwhile.
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -46,6 +47,9 @@ struct SessionStatus {
 class LiveSession {
 public:
     static constexpr double kLongestPreRoll_s = 10;
+    /// Less sound that is missing at the end is no loss: boxes start some milliseconds apart, and the rest of
+    /// a take comes in blocks.
+    static constexpr double kWorthMarking_s = 0.25;
 
     explicit LiveSession(std::unique_ptr<Device> device);
     LiveSession(const LiveSession&) = delete;
@@ -99,6 +103,13 @@ public:
     std::optional<RecorderState> recording() const;
     /// Of what began last, on its clock.
     int64_t reachedSample() const;
+    /// Of what began last, on its clock: where its sound should have ended, when it broke off and did not
+    /// come back before stop() or now.
+    std::optional<int64_t> brokenOffUntil() const;
+    /// The same as a gap of the take; finish() does it where nobody did before.
+    void markMissing(int64_t until);
+    /// What a take's result has for its trouble when its sound broke off.
+    Error lostError() const;
     link::LinkStatistics linkStatistics() const { return device_->statistics(); }
 
 private:
@@ -124,6 +135,9 @@ private:
     }
     void follow(const link::StudioEvent& event);
     void markStarted();
+    int64_t dueSample() const;
+    void markMissing(Stream& stream, int64_t until, StreamResult& result);
+    const char* reasonOfGap() const;
     void showFlow(LinkState link);
     void endStream(const std::optional<Error>& why, LinkState link);
     LinkState linkWithoutStream() const;
@@ -151,9 +165,13 @@ private:
     bool started_ = false;            ///< its first data have come, its last have not
     int board_count_ = 0;             ///< of its blocks
 
+    std::atomic<int64_t> newest_sound_ns_{0};
+    std::atomic<bool> is_silent_{false};  ///< stalled or lost, and no sound has come since
+
     mutable std::mutex mutex_;  ///< of the following, held for moments
     SessionStatus state_;
-    StreamPointer stream_, take_;  ///< the device's, and the take that began in its midst
+    std::optional<int64_t> due_sample_;  ///< dueSample() when the stream was told to stop
+    StreamPointer stream_, take_;        ///< the device's, and the take that began in its midst
     Published<SessionStatus> status_;
     std::unique_ptr<Device> device_;  ///< last: it goes first, and its events with it
 };

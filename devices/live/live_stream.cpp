@@ -2,11 +2,13 @@
 // The beginning and the end of a LiveSession's streams.
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <iterator>
 
 #include "core/processing/write_runs.h"
 #include "devices/live/live_plans.h"
 #include "devices/live/live_session.h"
+#include "devices/machine/clock.h"
 
 namespace noctule {
 namespace {
@@ -112,8 +114,10 @@ Status LiveSession::beginWithDevice(const StreamRequest& request, const link::He
         if (!request.take)
             past_.emplace(std::llround((kLongestPreRoll_s + kSpareHeld_s) * hello.sample_rate_hz));
     }
+    is_silent_ = false;
     change([&](SessionStatus& s) {
         stream_ = stream;
+        due_sample_.reset();
         s.stream_is_open = true;
         s.link = LinkState::kStarting;
         s.trouble.reset();
@@ -219,15 +223,78 @@ StreamResult LiveSession::finish(std::optional<double> patience_s) {
     return finishNewest(patience_s);
 }
 
+/// On the device's clock: as far as sound has come, and further while none comes that should.
+int64_t LiveSession::dueSample() const {
+    const auto now = status();
+    const std::lock_guard lock(mutex_);
+    if (!stream_ || !now->hello)
+        return 0;
+    const int64_t silent_ns = is_silent_ ? steadyNow_ns() - newest_sound_ns_ : 0;
+    return stream_->feed->reachedSample() +
+           std::llround(1e-9 * static_cast<double>(silent_ns) * now->hello->sample_rate_hz);
+}
+
+std::optional<int64_t> LiveSession::brokenOffUntil() const {
+    const auto now = status();
+    const StreamPointer stream = newest();
+    if (!stream || !stream->request.take || !now->hello)
+        return std::nullopt;
+    const int64_t due_now = dueSample(), rate_hz = now->hello->sample_rate_hz;
+    const int64_t reached = stream->feed->reachedSample();
+    int64_t due = 0;
+    {
+        const std::lock_guard lock(mutex_);
+        due = due_sample_.value_or(due_now) - stream->feed->origin();
+    }
+    if (static_cast<double>(due - reached) < kWorthMarking_s * static_cast<double>(rate_hz))
+        return std::nullopt;
+    if (const auto length_s = stream->request.take->length_s)
+        due = std::min<int64_t>(due, std::llround(*length_s * static_cast<double>(rate_hz)));
+    return due > reached ? std::optional(due) : std::nullopt;
+}
+
+const char* LiveSession::reasonOfGap() const {
+    return status()->trouble ? kGapOfBox : kGapOfLink;
+}
+
+void LiveSession::markMissing(int64_t until) {
+    if (const auto stream = newest())
+        stream->feed->markMissing(until, reasonOfGap());
+}
+
+Error LiveSession::lostError() const {
+    return {ErrorKind::kDevice, device_->address() + ": the sound broke off before the recording ended",
+            "Check the cable and the box's battery, and record again"};
+}
+
+void LiveSession::markMissing(Stream& stream, int64_t until, StreamResult& result) {
+    const double rate_hz = status()->hello->sample_rate_hz;
+    const int64_t from = stream.feed->reachedSample();
+    if (until <= from || stream.recorder->state().ended)
+        return;
+    stream.feed->markMissing(until, reasonOfGap());
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "The suit was lost after %.1f s and did not come back; the last %.1f s of the take are "
+                  "missing and marked as a gap.",
+                  static_cast<double>(from) / rate_hz, static_cast<double>(until - from) / rate_hz);
+    result.warnings.push_back(text);
+    if (!result.trouble)
+        result.trouble = lostError();
+}
+
 StreamResult LiveSession::finishNewest(std::optional<double> patience_s) {
+    const auto broken_off = brokenOffUntil();
     const StreamPointer stream = detachNewest();
     if (!stream)
         return {};
     StreamResult result;
     result.trouble = status()->trouble;
+    if (broken_off)
+        markMissing(*stream, *broken_off, result);
     if (!newest())
         stopAfterLast();
-    result.warnings = stream->warnings;
+    std::ranges::copy(stream->warnings, std::back_inserter(result.warnings));
     std::ranges::move(stream->feed->boxWarnings(), std::back_inserter(result.warnings));
     if (stream->recorder)
         result.recording = stream->recorder->finish();

@@ -261,9 +261,10 @@ GroupReport finishedReport(LiveGroup& group, const JobContext& job) {
 
 }  // namespace
 
-Result<RecordReport> recordTake(std::unique_ptr<Device> device, const StreamRequest& request,
+Result<RecordReport> recordTake(std::unique_ptr<Device> device, StreamRequest request,
                                 std::optional<double> seconds, const JobContext& job) {
     require(request.take.has_value(), "a recording needs a take");
+    request.take->length_s = seconds;
     const std::string address = device->address();
     LiveSession session(std::move(device));
     session.connect();
@@ -280,10 +281,11 @@ Result<RecordReport> recordTake(std::unique_ptr<Device> device, const StreamRequ
     return report;
 }
 
-Result<RecordReport> recordWhenTriggered(std::unique_ptr<Device> device, const StreamRequest& request,
+Result<RecordReport> recordWhenTriggered(std::unique_ptr<Device> device, StreamRequest request,
                                          const RemoteTriggerOptions& options, std::optional<double> seconds,
                                          const JobContext& job) {
     require(request.take.has_value(), "a recording needs a take");
+    request.take->length_s = seconds;
     CaptureWishes wishes;
     const auto trigger =
         RemoteTrigger::listen(options, [&](const CaptureMessage& message) { wishes.hear(message); });
@@ -330,8 +332,10 @@ GroupReport endTogether(LiveGroup& group, const JobContext& job) {
     return finishedReport(group, job);
 }
 
-Result<GroupReport> recordTogether(std::vector<std::unique_ptr<Device>> devices, const GroupRequest& request,
+Result<GroupReport> recordTogether(std::vector<std::unique_ptr<Device>> devices, GroupRequest request,
                                    std::optional<double> seconds, const JobContext& job) {
+    require(request.all.take.has_value(), "a recording needs a take");
+    request.all.take->length_s = seconds;
     LiveGroup group(std::move(devices));
     if (const Status greeted = greetAll(group, job); !greeted)
         return greeted.error();

@@ -18,13 +18,13 @@ struct RecordReport {
 
 /// `seconds` absent: until cancelled, which is no failure of a recording. Fails when no take came to be;
 /// what ended one early stands in the report.
-Result<RecordReport> recordTake(std::unique_ptr<Device> device, const StreamRequest& request,
+Result<RecordReport> recordTake(std::unique_ptr<Device> device, StreamRequest request,
                                 std::optional<double> seconds, const JobContext& job);
 
 /// Waits, streaming, until another program begins a recording, and records until it ends it, `seconds` are
 /// over or the job is cancelled. The take has the name that it gives, and its notes. Cancelled before it
 /// began, no take comes to be.
-Result<RecordReport> recordWhenTriggered(std::unique_ptr<Device> device, const StreamRequest& request,
+Result<RecordReport> recordWhenTriggered(std::unique_ptr<Device> device, StreamRequest request,
                                          const RemoteTriggerOptions& options, std::optional<double> seconds,
                                          const JobContext& job);
 
@@ -42,7 +42,7 @@ struct GroupReport {
 
 /// The same of several suits, one device each, into one take. Fails, and leaves no take, when one of them
 /// does not answer or does not start.
-Result<GroupReport> recordTogether(std::vector<std::unique_ptr<Device>> devices, const GroupRequest& request,
+Result<GroupReport> recordTogether(std::vector<std::unique_ptr<Device>> devices, GroupRequest request,
                                    std::optional<double> seconds, const JobContext& job);
 
 /// Begins a take of boxes that are ready and waits for sound of each; yields what begin() yields. On an error

@@ -125,6 +125,15 @@ void StreamFeed::give(const link::Gap& gap) {
                 gap.reason == link::GapReason::kBox ? kGapOfBox : kGapOfLink});
 }
 
+void StreamFeed::markMissing(int64_t until, const std::string& reason) {
+    const std::lock_guard lock(mutex_);
+    const int64_t from = reached_sample_;
+    if (until <= from)
+        return;
+    hand(GapRow{from, until - from, std::nullopt, reason});
+    reached_sample_ = until;
+}
+
 void StreamFeed::give(const link::BoxStatus& status) {
     if (!statuses_.allow(reached_sample_, clock_.sample_rate_hz))
         return;

@@ -30,6 +30,8 @@ public:
     /// At the newest sample, or at one that has come already.
     void addMarker(const std::string& kind, const std::string& label, std::optional<int64_t> sample = {});
     void addNote(const std::string& text);
+    /// What has not come until there will not come any more: a gap, and reachedSample() is there.
+    void markMissing(int64_t until, const std::string& reason);
     /// The stream has ended: what was held back is handed on.
     void flush();
 
@@ -38,6 +40,8 @@ public:
 
     /// One after the last sample that came.
     int64_t reachedSample() const { return reached_sample_; }
+    /// The device's sample that is 0 here.
+    int64_t origin() const { return clock_.origin; }
     /// The device's time that is 0 here.
     int64_t origin_ns() const {
         return std::llround(static_cast<double>(clock_.origin) * 1e9 / clock_.sample_rate_hz);

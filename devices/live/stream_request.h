@@ -24,6 +24,8 @@ struct RecordingRequest {
     std::map<std::string, std::string> meta;  ///< performer, actor_name, ...
     int64_t reserve_bytes = RecorderSettings{}.reserve_bytes;
     bool compress = false;
+    /// So long it shall be, where that is known: sound that broke off is marked as missing up to there.
+    std::optional<double> length_s{};
 };
 
 struct StreamRequest {

@@ -4332,6 +4332,14 @@
         <translation>%1 sagt nicht, welche Achse nach oben zeigt; %2 wurde genommen, längs der ihre Marker am weitesten reichen.</translation>
     </message>
     <message>
+        <source>%1 holds its first pose until %2 s.</source>
+        <translation>%1 hält bis %2 s die erste Pose.</translation>
+    </message>
+    <message>
+        <source>%1 holds its last pose from %2 s on.</source>
+        <translation>%1 hält ab %2 s die letzte Pose.</translation>
+    </message>
+    <message>
         <source>%1 led by the %2, %3: %4 commands, %5 following, %6 states</source>
         <translation>%1, geführt von %2, %3: %4 Befehle, davon %5 folgend, %6 Zustände</translation>
     </message>
@@ -4386,6 +4394,10 @@
     <message>
         <source>%1: %2 and were left out.</source>
         <translation>%1: %2 und wurden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>%1: %2 has no pose in this result</source>
+        <translation>%1: %2 hat in diesem Ergebnis keine Pose</translation>
     </message>
     <message>
         <source>%1: %2 of the take's %3 moving joints were recognised.</source>
@@ -4466,10 +4478,6 @@
     <message>
         <source>%1: its columns are not those of the take's body</source>
         <translation>%1: die Spalten sind nicht die des Körpers der Aufnahme</translation>
-    </message>
-    <message>
-        <source>%1: its performers are never seen at the same time</source>
-        <translation>%1: Die Darsteller sind nie gleichzeitig zu sehen</translation>
     </message>
     <message>
         <source>%1: its suits are not counted from 1</source>
@@ -4732,8 +4740,8 @@
         <translation>Fehler über der Zeit</translation>
     </message>
     <message>
-        <source>Export a file for each of them</source>
-        <translation>Exportieren Sie für jede eine Datei</translation>
+        <source>Export a file for each of the others</source>
+        <translation>Exportieren Sie für jeden der anderen eine Datei</translation>
     </message>
     <message>
         <source>Export the take again</source>
@@ -10109,6 +10117,10 @@
         <translation>%1: sendet nichts</translation>
     </message>
     <message>
+        <source>%1: the sound broke off before the recording ended</source>
+        <translation>%1: der Ton brach ab, bevor die Aufnahme endete</translation>
+    </message>
+    <message>
         <source>(not yet as one file)</source>
         <translation>(noch nicht als eine Datei)</translation>
     </message>
@@ -10147,6 +10159,10 @@
     <message>
         <source>Check that it is switched on and that the address is right</source>
         <translation>Prüfen, ob sie eingeschaltet ist und die Adresse stimmt</translation>
+    </message>
+    <message>
+        <source>Check the cable and the box's battery, and record again</source>
+        <translation>Kabel und Akku der Box prüfen und noch einmal aufnehmen</translation>
     </message>
     <message>
         <source>Close the other program</source>
@@ -10229,6 +10245,10 @@
         <translation>Der Anzug ist nicht kalibriert: sein Ton wird ganz aufgezeichnet, aber keine Posen. Die Aufnahme mit einer Kalibrierung verarbeiten.</translation>
     </message>
     <message>
+        <source>The suit was lost after %.1f s and did not come back; the last %.1f s of the take are missing and marked as a gap.</source>
+        <translation>Der Anzug ging nach %.1f s verloren und kam nicht zurück; die letzten %.1f s der Aufnahme fehlen und sind als Lücke vermerkt.</translation>
+    </message>
+    <message>
         <source>The take ended before its rest pose did. All of its sound is there, but no pose.</source>
         <translation>Die Aufnahme endete vor ihrer Ruhehaltung. Ihr Ton ist vollständig da, aber keine Pose.</translation>
     </message>
@@ -10271,6 +10291,10 @@
     <message>
         <source>the live view</source>
         <translation>die Live-Ansicht</translation>
+    </message>
+    <message>
+        <source>was lost after %.1f s and did not come back; the last %.1f s of it are missing and marked as a gap.</source>
+        <translation>ging nach %.1f s verloren und kam nicht zurück; die letzten %.1f s davon fehlen und sind als Lücke vermerkt.</translation>
     </message>
     <message>
         <source>was lost after %.1f s and did not come back; the last %.1f s of it are missing and marked as a gap. The other suits were recorded on.</source>

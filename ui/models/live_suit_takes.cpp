@@ -62,6 +62,7 @@ StreamRequest LiveSuit::requestOf(const EvidencePlan& plan) const {
     take.folder = session_.session().evidenceFolder();
     take.name = plan.base_name.toStdString();
     take.pre_roll_s = plan.length_s;
+    take.length_s = plan.length_s;
     take.seen_sample = plan.seen_sample;
     take.take_kind = plan.kind;
     request.take = std::move(take);

@@ -131,7 +131,8 @@ Verb recordVerb() {
             .orElse("256")};
     verb.remarks = {
         "Ctrl-C ends the recording in good order, and the take is complete. A box that restarts and a disk "
-        "that fills up end it too; the exit code is then 5 or 6, and what was recorded is safe.",
+        "that fills up end it too; the exit code is then 5 or 6, and what was recorded is safe. "
+        "A box whose sound breaks off and does not come back leaves a gap to the end; the exit code is 5.",
         "Several suits, a --device each, go into one take, numbered in this order; a set of anchors in the "
         "room is a suit, too. --suit, --calibration, --actor and --subject then name one per device in the "
         "same order, `none` where a device has none. A box that is lost does not end the recording of the "

@@ -131,9 +131,10 @@ TEST(PoseSource, IsGoneThroughAnewUntilItsReaderHasEnough) {
         EXPECT_EQ(times_ns[2], motion.frames[2].time_ns);
     }
     EXPECT_EQ(source.all()->frames.size(), motion.frames.size());
-    EXPECT_EQ(source.begin_ns().value(), motion.frames.front().time_ns);
+    EXPECT_EQ(source.seen().value()->first_ns, motion.frames.front().time_ns);
+    EXPECT_EQ(source.seen().value()->last_ns, motion.frames.back().time_ns);
     const TimedMotion nothing{motion.skeleton, {}};
-    EXPECT_EQ(sourceOf(nothing).begin_ns().value(), std::nullopt);
+    EXPECT_FALSE(sourceOf(nothing).seen().value());
 }
 
 }  // namespace

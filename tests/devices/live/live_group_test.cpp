@@ -269,6 +269,24 @@ TEST(LiveGroup, ABoxThatIsLostLeavesAGapAndTheOthersGoOn) {
     EXPECT_TRUE(take->gaps(1)->empty());
 }
 
+TEST(LiveGroup, WhenAllBoxesAreLostEachHasAGapToTheEndThatWasAskedFor) {
+    const Folder folder;
+    auto scripts = twoScripts(0.4);
+    for (FakeDevice::Script& script : scripts)
+        script.events.push_back(link::LinkLost{{ErrorKind::kDevice, script.address + ": cut", "Look"}});
+    const auto report = recordedTogether(scripts, groupInto(folder), 1.0);
+    ASSERT_TRUE(report) << report.error().text();
+    const Result<Take> take = Take::open(report->suits[0].stream.recording->path);
+    for (const int suit : {1, 2}) {
+        const StreamResult& result = report->suits[static_cast<size_t>(suit - 1)].stream;
+        ASSERT_TRUE(result.trouble && result.warnings.size() == 1) << "suit " << suit;
+        EXPECT_TRUE(result.warnings[0].ends_with("missing and marked as a gap.")) << result.warnings[0];
+        const auto gaps = take->gaps(suit);
+        ASSERT_EQ(gaps->size(), 1u);
+        EXPECT_EQ(std::pair(gaps->at(0).first_sample, gaps->at(0).sample_count), std::pair(60000L, 90000L));
+    }
+}
+
 TEST(LiveGroup, ABoxWhoseDataComeLateIsNotCalledLost) {
     const Folder folder;
     const auto report = recordedTogether({groupScript(1, kOfFirst, 30, 10), groupScript(2, kOfSecond, 30, 4)},

@@ -105,14 +105,30 @@ TEST(LiveSession, ALinkThatBreaksLeavesAGapAndTimeDoesNotShift) {
     EXPECT_EQ(report->stream.warnings[0], "The driver box said at 0:00.6: board lost, l_forearm.");
 }
 
-TEST(LiveSession, ABoxThatIsGoneDoesNotKeepARecordingOfSoManySecondsWaiting) {
+TEST(LiveSession, ABoxThatIsGoneLeavesAGapToTheEndOfTheTimeThatWasAskedFor) {
     const Folder folder;
     auto report = recordTake(std::make_unique<FakeDevice>(scriptOf(joined(
                                  test::madeEvents(0, 60000, kTwoBoards), one(link::LinkLost{why("cut")})))),
                              recordingInto(folder), 1.0, {});
     ASSERT_TRUE(report) << report.error().text();
     EXPECT_EQ(report->stream.recording->samples, 60000);
-    EXPECT_EQ(Take::open(report->stream.recording->path)->meta().at("state"), "complete");
+    EXPECT_EQ(report->stream.recording->lost_samples, 90000);
+    ASSERT_TRUE(report->stream.trouble);
+    EXPECT_EQ(report->stream.trouble->kind, ErrorKind::kDevice);
+    ASSERT_EQ(report->stream.warnings.size(), 1u);
+    EXPECT_NE(report->stream.warnings[0].find("lost after 0.4 s"), std::string::npos)
+        << report->stream.warnings[0];
+    EXPECT_NE(report->stream.warnings[0].find("the last 0.6 s"), std::string::npos)
+        << report->stream.warnings[0];
+    const Result<Take> take = Take::open(report->stream.recording->path);
+    ASSERT_TRUE(take) << take.error().text();
+    EXPECT_EQ(take->meta().at("state"), "complete");
+    const auto gaps = take->gaps();
+    ASSERT_EQ(gaps->size(), 1u);
+    EXPECT_EQ(gaps->at(0).first_sample, 60000);
+    EXPECT_EQ(gaps->at(0).sample_count, 90000);
+    EXPECT_FALSE(gaps->at(0).board);
+    EXPECT_EQ(gaps->at(0).reason, "link");
 }
 
 TEST(LiveSession, ABoxThatRestartsEndsTheTakeIntact) {

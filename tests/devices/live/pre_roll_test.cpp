@@ -2,7 +2,9 @@
 // Takes that begin and end in the midst of a stream that somebody looks at.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 #include "tests/devices/live/hand_device.h"
 
@@ -248,6 +250,42 @@ TEST(PreRoll, ScreensAndJobsMayAskAtAnyMoment) {
     device.join();
     screen.join();
     EXPECT_FALSE(worn.hand->identified.empty());
+}
+
+TEST(PreRoll, SoundThatBrokeOffIsAGapToWhereTheTakeEnded) {
+    const Folder folder;
+    LookedAt worn;
+    worn.hear(0, 60000);
+    ASSERT_TRUE(worn.session.begin(takeInto(folder, 0)));
+    worn.hear(60000, 120000);
+    worn.hand->tell(link::Stalled{});
+    while (!worn.session.brokenOffUntil())
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    const StreamResult result = worn.session.finish();
+    ASSERT_TRUE(result.trouble);
+    ASSERT_EQ(result.warnings.size(), 1u);
+    EXPECT_NE(result.warnings[0].find("marked as a gap"), std::string::npos) << result.warnings[0];
+    const auto gaps = Take::open(result.recording->path)->gaps();
+    ASSERT_EQ(gaps->size(), 1u);
+    EXPECT_EQ(gaps->at(0).first_sample, 60000) << "on the take's clock";
+    EXPECT_GE(gaps->at(0).sample_count, LiveSession::kWorthMarking_s * 150'000);
+}
+
+TEST(PreRoll, SoundThatCameBackLeavesNoGapAtTheEnd) {
+    const Folder folder;
+    LookedAt worn;
+    worn.hear(0, 60000);
+    ASSERT_TRUE(worn.session.begin(takeInto(folder, 0)));
+    worn.hear(60000, 120000);
+    worn.hand->tell(link::Stalled{});
+    while (!worn.session.brokenOffUntil())
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    worn.hand->tell(link::Flowing{});
+    worn.hear(120000, 150000);
+    const StreamResult result = worn.session.finish();
+    EXPECT_FALSE(result.trouble);
+    EXPECT_TRUE(result.warnings.empty());
+    EXPECT_TRUE(Take::open(result.recording->path)->gaps()->empty());
 }
 
 }  // namespace

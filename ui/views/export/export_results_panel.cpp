@@ -169,6 +169,8 @@ QWidget* ExportResultsPanel::makeCard(const ExportOutcome& outcome, bool in_full
         addLine(below, Ink::kWarn);
     for (const SilentBoard& silent : check.silent)
         addLine(silenceInWords(silent), Ink::kWarn);
+    for (const std::string& held : check.held)
+        addLine(coreWords(held), Ink::kLabel);
     for (const std::string& fault : check.faults)
         addLine(coreWords(fault), Ink::kError);
     return card;

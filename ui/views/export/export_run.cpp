@@ -381,6 +381,8 @@ QString checkAsText(const ExportResults& results) {
             lines += "  " + line;
         for (const SilentBoard& silent : check.silent)
             lines += "  " + silenceInWords(silent);
+        for (const std::string& held : check.held)
+            lines += "  " + coreWords(held);
         for (const std::string& fault : check.faults)
             lines += "  " + coreWords(fault);
     }
