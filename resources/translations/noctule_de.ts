@@ -6278,7 +6278,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>For people and rooms. Errors of measurement stay in millimetres; plots, places of boards and files stay metric. Any unit may be typed: 5&apos;11&quot;, 71 in, 180 cm, 1.8 m.</source>
-        <translation>Für Menschen und Räume. Messfehler bleiben in Millimetern; Kurven, Plätze der Boards und Dateien bleiben metrisch. Getippt werden darf jede Einheit: 5&apos;11&quot;, 71 in, 180 cm, 1.8 m.</translation>
+        <translation>Für Menschen und Räume. Messfehler bleiben in Millimetern; Kurven, Plätze der Platinen und Dateien bleiben metrisch. Getippt werden darf jede Einheit: 5&apos;11&quot;, 71 in, 180 cm, 1.8 m.</translation>
     </message>
 </context>
 <context>
@@ -8850,7 +8850,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>Made of accelerometers only</source>
-        <translation>Nur aus Beschleunigungsmessern</translation>
+        <translation>Nur aus Beschleunigungssensoren</translation>
     </message>
     <message>
         <source>Made without gyroscopes</source>
@@ -10462,7 +10462,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>New takes are made with it. Use another calibration for them first.</source>
-        <translation>Neue Takes entstehen mit ihr. Nehmen Sie für sie erst eine andere Kalibrierung.</translation>
+        <translation>Neue Aufnahmen entstehen mit ihr. Nehmen Sie für sie erst eine andere Kalibrierung.</translation>
     </message>
     <message>
         <source>Put %1 aside</source>

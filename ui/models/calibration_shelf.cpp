@@ -2,6 +2,7 @@
 #include "ui/models/calibration_shelf.h"
 
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 #include <QLocale>
 #include <algorithm>

@@ -2,6 +2,7 @@
 // What the operator changes in a session, each with its way back. Takes are remembered by name and performers
 // by place: what lies between a step and its undo has been undone before.
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 #include <algorithm>
 
