@@ -145,16 +145,13 @@ void SessionModel::setTakeNotes(int take, const QString& notes) {
              QString("notes/%1").arg(QString::fromStdString(noted.name)));
 }
 
-void SessionModel::setTakeRange(int take, double in_s, double out_s) {
+void SessionModel::setTakeRange(int take, double in_s, double out_s, const QString& merge_key) {
     if (!session_ || !isIndex(take, session_->takes.size()))
         return;
     const SessionTake& cut = session_->takes[static_cast<size_t>(take)];
-    const bool moves_in = in_s != cut.in_s, moves_out = out_s != cut.out_s;
-    const QString end = moves_in && moves_out ? "both" : moves_in ? "in" : "out";
-    if (moves_in || moves_out)
+    if (in_s != cut.in_s || out_s != cut.out_s)
         push(tr("In and out of %1").arg(QString::fromStdString(cut.name)), setRange(cut.name, in_s, out_s),
-             setRange(cut.name, cut.in_s, cut.out_s),
-             QString("range/%1/%2").arg(end, QString::fromStdString(cut.name)));
+             setRange(cut.name, cut.in_s, cut.out_s), merge_key);
 }
 
 void SessionModel::renameSession(const QString& name) {

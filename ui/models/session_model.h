@@ -67,7 +67,8 @@ public:
     // Commands with undo. Indices into session().takes.
     void rate(int take, int rating);
     void setTakeNotes(int take, const QString& notes);
-    void setTakeRange(int take, double in_s, double out_s);
+    /// `merge_key`: as of changePerformer().
+    void setTakeRange(int take, double in_s, double out_s, const QString& merge_key = {});
     void renameSession(const QString& name);
     void setNotes(const QString& notes);
     void addPerformer(const Performer& performer);
