@@ -93,7 +93,7 @@ Status moveCalibration(const QString& file, const std::filesystem::path& from,
                          .toStdString()};
     };
     const QString report = QFileInfo(file).completeBaseName() + ".html";
-    if (!target.mkpath(".") || !move(file, source, target))
+    if (!source.exists(file) || !target.mkpath(".") || !move(file, source, target))
         return failed(file);
     if (source.exists(report) && !move(report, source, target)) {
         move(file, target, source);
@@ -108,9 +108,12 @@ bool isIndex(int index, size_t size) {
 
 }  // namespace
 
-void SessionModel::push(const QString& what, Step redo, Step undo, const QString& merge_key) {
-    if (apply(redo))
-        undo_.push(new SessionCommand(*this, what, std::move(redo), std::move(undo), merge_key));
+/// False: it was not done, and failed() was emitted.
+bool SessionModel::push(const QString& what, Step redo, Step undo, const QString& merge_key) {
+    if (!apply(redo))
+        return false;
+    undo_.push(new SessionCommand(*this, what, std::move(redo), std::move(undo), merge_key));
+    return true;
 }
 
 bool SessionModel::apply(const Step& step) {
@@ -192,20 +195,19 @@ QString SessionModel::whyNotAside(const QString& file) const {
     return {};
 }
 
-void SessionModel::putCalibrationAside(const QString& file) {
-    if (!session_)
-        return;
-    push(
-        tr("Put %1 aside").arg(file.section('.', 0, 0)),
-        [this, file](Session& session) -> Status {
-            if (const QString why = whyNotAside(file); !why.isEmpty())
-                return Error{ErrorKind::kUsage, tr("%1 is in use").arg(file).toStdString(),
-                             why.chopped(1).toStdString()};
-            return moveCalibration(file, session.calibrationFolder(), session.asideFolder());
-        },
-        [file](Session& session) {
-            return moveCalibration(file, session.asideFolder(), session.calibrationFolder());
-        });
+bool SessionModel::putCalibrationAside(const QString& file) {
+    return session_ &&
+           push(
+               tr("Put %1 aside").arg(file.section('.', 0, 0)),
+               [this, file](Session& session) -> Status {
+                   if (const QString why = whyNotAside(file); !why.isEmpty())
+                       return Error{ErrorKind::kUsage, tr("%1 is in use").arg(file).toStdString(),
+                                    why.chopped(1).toStdString()};
+                   return moveCalibration(file, session.calibrationFolder(), session.asideFolder());
+               },
+               [file](Session& session) {
+                   return moveCalibration(file, session.asideFolder(), session.calibrationFolder());
+               });
 }
 
 void SessionModel::setBody(const SessionBody& body) {
