@@ -6123,6 +6123,14 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <translation>Jede Änderung wirkt sofort und bleibt erhalten.</translation>
     </message>
     <message>
+        <source>A take is being recorded. Change this when it has ended.</source>
+        <translation>Gerade läuft eine Aufnahme. Ändern Sie das, wenn sie zu Ende ist.</translation>
+    </message>
+    <message>
+        <source>A calibration is under way. Finish or leave it first.</source>
+        <translation>Gerade läuft eine Kalibrierung. Beenden oder verlassen Sie sie erst.</translation>
+    </message>
+    <message>
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
