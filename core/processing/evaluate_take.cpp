@@ -7,6 +7,7 @@
 #include "core/body/bone_names.h"
 #include "core/job/limits.h"
 #include "core/job/outside_text.h"
+#include "core/live/estimators.h"
 #include "core/math/json.h"
 #include "core/math/rotation.h"
 #include "core/processing/ingredients.h"
@@ -155,10 +156,23 @@ std::string calibrationName(const Take& take, const DerivedRun& run) {
     return name;
 }
 
+/// Without the gyroscopes that were asked for where a filter had to go on without. Attitudes of other makers'
+/// sensors (whole_take) were made with theirs.
+std::string sensorsUsed(const Take& take, const RunSettings& settings) {
+    std::string sensors = settings.sensors;
+    const EstimatorEntry* estimator = findEstimator(settings.estimator);
+    if (take.level() != TakeLevel::kReadings || take.suitIds().size() > 1 || !estimator ||
+        estimator->whole_take)
+        return sensors;
+    if (const auto measured = take.measured(); measured && !measured->gyroscopes)
+        std::erase(sensors, 'G');
+    return sensors;
+}
+
 ReportRun describeRun(const Take& take, const DerivedRun& run, const RunSettings& settings) {
     ReportRun described;
     described.name = run.name;
-    described.sensors = settings.sensors;
+    described.sensors = sensorsUsed(take, settings);
     described.estimator = settings.estimator.empty() ? "unknown" : settings.estimator;
     described.smoother = settings.smoother;
     described.root_given = settings.root_given;
@@ -395,8 +409,8 @@ Result<ReportData> evaluateTake(const EvaluateRequest& request, const JobContext
     for (const TakeSubject& subject : subjectsOf(*shown))
         if (std::ranges::count(settings.unjoined, subject.suit()) > 0)
             data.unjoined.push_back(subject.name);
-    if (std::string drift =
-            driftWarning(settings.estimator, settings.sensors, settings.root_given, data.take.afterRest_s());
+    if (std::string drift = driftWarning(settings.estimator, sensorsUsed(take, settings), settings.root_given,
+                                         data.take.afterRest_s());
         !drift.empty())
         data.warnings.push_back(std::move(drift));
     for (const SkippedRows& skipped : take.skippedRows())

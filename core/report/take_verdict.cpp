@@ -39,8 +39,8 @@ public:
         }
         judgeError();
         listJoints();
-        judgeSensors();
         judgeCalibration();
+        judgeSensors();
         judgeSupport();
         judgeResidual();
         judgeDistances();

@@ -6150,6 +6150,14 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
         <translation>Jede Änderung wirkt sofort und bleibt erhalten.</translation>
     </message>
     <message>
+        <source>A take is being recorded. Change this when it has ended.</source>
+        <translation>Gerade läuft eine Aufnahme. Ändern Sie das, wenn sie zu Ende ist.</translation>
+    </message>
+    <message>
+        <source>A calibration is under way. Finish or leave it first.</source>
+        <translation>Gerade läuft eine Kalibrierung. Beenden oder verlassen Sie sie erst.</translation>
+    </message>
+    <message>
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
@@ -6305,7 +6313,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>For people and rooms. Errors of measurement stay in millimetres; plots, places of boards and files stay metric. Any unit may be typed: 5&apos;11&quot;, 71 in, 180 cm, 1.8 m.</source>
-        <translation>Für Menschen und Räume. Messfehler bleiben in Millimetern; Kurven, Plätze der Boards und Dateien bleiben metrisch. Getippt werden darf jede Einheit: 5&apos;11&quot;, 71 in, 180 cm, 1.8 m.</translation>
+        <translation>Für Menschen und Räume. Messfehler bleiben in Millimetern; Kurven, Plätze der Platinen und Dateien bleiben metrisch. Getippt werden darf jede Einheit: 5&apos;11&quot;, 71 in, 180 cm, 1.8 m.</translation>
     </message>
 </context>
 <context>
@@ -8925,7 +8933,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>Made of accelerometers only</source>
-        <translation>Nur aus Beschleunigungsmessern</translation>
+        <translation>Nur aus Beschleunigungssensoren</translation>
     </message>
     <message>
         <source>Made without gyroscopes</source>
@@ -10566,7 +10574,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>New takes are made with it. Use another calibration for them first.</source>
-        <translation>Neue Takes entstehen mit ihr. Nehmen Sie für sie erst eine andere Kalibrierung.</translation>
+        <translation>Neue Aufnahmen entstehen mit ihr. Nehmen Sie für sie erst eine andere Kalibrierung.</translation>
     </message>
     <message>
         <source>Put %1 aside</source>

@@ -167,6 +167,9 @@ void MainWindow::showPreferences() {
     bool words_changed = false;
     {
         PreferencesDialog dialog(studio_, this);
+        const auto calibrate = pages_.find(Step::kCalibrate);
+        dialog.setCalibrating(calibrate != pages_.end() &&
+                              dynamic_cast<CalibratePage&>(*calibrate->second).isUnderWay());
         connect(&dialog, &PreferencesDialog::wordsChanged, this, [&] { words_changed = true; });
         dialog.exec();
     }

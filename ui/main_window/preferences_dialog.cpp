@@ -66,7 +66,26 @@ PreferencesDialog::PreferencesDialog(Studio& studio, QWidget* parent) : QDialog(
     Button* close = makeButton(ButtonKind::kOutlined, tr("Close"), {}, QKeySequence("Esc"));
     row->addWidget(close);
     connect(close, &QPushButton::clicked, this, &QDialog::accept);
+    connect(&studio_.suits(), &LiveSuits::changed, this, &PreferencesDialog::showWhyNotAnew);
+    showWhyNotAnew();
     fit();
+}
+
+void PreferencesDialog::setCalibrating(bool calibrating) {
+    calibrating_ = calibrating;
+    showWhyNotAnew();
+}
+
+/// Language and units make the window anew, without what goes on in it.
+void PreferencesDialog::showWhyNotAnew() {
+    const QString why = studio_.suits().isTakeOpen()
+                            ? tr("A take is being recorded. Change this when it has ended.")
+                        : calibrating_ ? tr("A calibration is under way. Finish or leave it first.")
+                                       : QString();
+    for (QComboBox* box : {language_, units_}) {
+        box->setEnabled(why.isEmpty());
+        box->setToolTip(why);
+    }
 }
 
 void PreferencesDialog::fit() {

@@ -19,6 +19,9 @@ class PreferencesDialog : public QDialog {
 public:
     explicit PreferencesDialog(Studio& studio, QWidget* parent = nullptr);
 
+    /// A calibration is under way in the window: it stays as it is, as it does during a take.
+    void setCalibrating(bool calibrating);
+
     QComboBox& scheme() { return *scheme_; }
     QComboBox& textSize() { return *text_size_; }
     QComboBox& language() { return *language_; }
@@ -32,6 +35,7 @@ signals:
 
 private:
     void fit();
+    void showWhyNotAnew();
     void addLook(QVBoxLayout& column);
     void addLanguage(QVBoxLayout& column);
     void addUnits(QVBoxLayout& column);
@@ -45,6 +49,7 @@ private:
     void chooseSessionsFolder();
 
     Studio& studio_;
+    bool calibrating_ = false;
     QComboBox *scheme_, *text_size_, *language_, *units_, *countdown_, *device_;
     ElidedLabel* folder_;
 };

@@ -2,10 +2,10 @@
 #include "ui/models/calibration_shelf.h"
 
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 #include <QLocale>
 #include <algorithm>
-#include <filesystem>
 
 #include "core/job/atomic_file.h"
 #include "core/processing/outside_files.h"
@@ -342,8 +342,8 @@ QString CalibrationShelf::nextName(const QString& task) const {
     QString name = QStringLiteral("%1-%2").arg(task, day);
     const auto is_taken = [this](const QString& file) {  // one that was put aside may come back
         return QFile::exists(QDir(folder_).filePath(file)) ||
-               (session_.isOpen() &&
-                std::filesystem::exists(session_.session().asideFolder() / file.toStdString()));
+               (session_.isOpen() && QFile::exists(QString::fromStdString(
+                                         (session_.session().asideFolder() / file.toStdString()).string())));
     };
     for (int number = 2; is_taken(name + ".json"); ++number)
         name = QStringLiteral("%1-%2-%3").arg(task, day).arg(number);

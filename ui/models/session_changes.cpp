@@ -2,6 +2,7 @@
 // What the operator changes in a session, each with its way back. Takes are remembered by name and performers
 // by place: what lies between a step and its undo has been undone before.
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 #include <algorithm>
 
@@ -92,7 +93,7 @@ Status moveCalibration(const QString& file, const std::filesystem::path& from,
                          .toStdString()};
     };
     const QString report = QFileInfo(file).completeBaseName() + ".html";
-    if (!target.mkpath(".") || !move(file, source, target))
+    if (!source.exists(file) || !target.mkpath(".") || !move(file, source, target))
         return failed(file);
     if (source.exists(report) && !move(report, source, target)) {
         move(file, target, source);
@@ -107,9 +108,12 @@ bool isIndex(int index, size_t size) {
 
 }  // namespace
 
-void SessionModel::push(const QString& what, Step redo, Step undo, const QString& merge_key) {
-    if (apply(redo))
-        undo_.push(new SessionCommand(*this, what, std::move(redo), std::move(undo), merge_key));
+/// False: it was not done, and failed() was emitted.
+bool SessionModel::push(const QString& what, Step redo, Step undo, const QString& merge_key) {
+    if (!apply(redo))
+        return false;
+    undo_.push(new SessionCommand(*this, what, std::move(redo), std::move(undo), merge_key));
+    return true;
 }
 
 bool SessionModel::apply(const Step& step) {
@@ -144,16 +148,13 @@ void SessionModel::setTakeNotes(int take, const QString& notes) {
              QString("notes/%1").arg(QString::fromStdString(noted.name)));
 }
 
-void SessionModel::setTakeRange(int take, double in_s, double out_s) {
+void SessionModel::setTakeRange(int take, double in_s, double out_s, const QString& merge_key) {
     if (!session_ || !isIndex(take, session_->takes.size()))
         return;
     const SessionTake& cut = session_->takes[static_cast<size_t>(take)];
-    const bool moves_in = in_s != cut.in_s, moves_out = out_s != cut.out_s;
-    const QString end = moves_in && moves_out ? "both" : moves_in ? "in" : "out";
-    if (moves_in || moves_out)
+    if (in_s != cut.in_s || out_s != cut.out_s)
         push(tr("In and out of %1").arg(QString::fromStdString(cut.name)), setRange(cut.name, in_s, out_s),
-             setRange(cut.name, cut.in_s, cut.out_s),
-             QString("range/%1/%2").arg(end, QString::fromStdString(cut.name)));
+             setRange(cut.name, cut.in_s, cut.out_s), merge_key);
 }
 
 void SessionModel::renameSession(const QString& name) {
@@ -194,20 +195,19 @@ QString SessionModel::whyNotAside(const QString& file) const {
     return {};
 }
 
-void SessionModel::putCalibrationAside(const QString& file) {
-    if (!session_)
-        return;
-    push(
-        tr("Put %1 aside").arg(file.section('.', 0, 0)),
-        [this, file](Session& session) -> Status {
-            if (const QString why = whyNotAside(file); !why.isEmpty())
-                return Error{ErrorKind::kUsage, tr("%1 is in use").arg(file).toStdString(),
-                             why.chopped(1).toStdString()};
-            return moveCalibration(file, session.calibrationFolder(), session.asideFolder());
-        },
-        [file](Session& session) {
-            return moveCalibration(file, session.asideFolder(), session.calibrationFolder());
-        });
+bool SessionModel::putCalibrationAside(const QString& file) {
+    return session_ &&
+           push(
+               tr("Put %1 aside").arg(file.section('.', 0, 0)),
+               [this, file](Session& session) -> Status {
+                   if (const QString why = whyNotAside(file); !why.isEmpty())
+                       return Error{ErrorKind::kUsage, tr("%1 is in use").arg(file).toStdString(),
+                                    why.chopped(1).toStdString()};
+                   return moveCalibration(file, session.calibrationFolder(), session.asideFolder());
+               },
+               [file](Session& session) {
+                   return moveCalibration(file, session.asideFolder(), session.calibrationFolder());
+               });
 }
 
 void SessionModel::setBody(const SessionBody& body) {

@@ -67,7 +67,8 @@ public:
     // Commands with undo. Indices into session().takes.
     void rate(int take, int rating);
     void setTakeNotes(int take, const QString& notes);
-    void setTakeRange(int take, double in_s, double out_s);
+    /// `merge_key`: as of changePerformer().
+    void setTakeRange(int take, double in_s, double out_s, const QString& merge_key = {});
     void renameSession(const QString& name);
     void setNotes(const QString& notes);
     void addPerformer(const Performer& performer);
@@ -84,8 +85,8 @@ public:
     void setSuitCalibration(const QString& serial, const QString& file, const QString& what);
     /// In words why a file in calibration/ cannot be put aside, else empty.
     QString whyNotAside(const QString& file) const;
-    /// With its report, into the session's folder of such.
-    void putCalibrationAside(const QString& file);
+    /// With its report, into the session's folder of such. False: it stays, and failed() was emitted.
+    bool putCalibrationAside(const QString& file);
     /// What views, pictures and exports show.
     void setBody(const SessionBody& body);
     /// The shot list; what only the file knows of a shot stays with its name.
@@ -145,7 +146,7 @@ private:
     using Step = std::function<Status(Session&)>;
     /// Does it; `undo` must take back exactly what `redo` did. What failed is not kept, nor does it cost what
     /// could be done again.
-    void push(const QString& what, Step redo, Step undo, const QString& merge_key = {});
+    bool push(const QString& what, Step redo, Step undo, const QString& merge_key = {});
     bool apply(const Step& step);
     void adopt(Session session, const QString& take);
     void openWith(const JobTitle& title, const QString& folder, const QString& take,

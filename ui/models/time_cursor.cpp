@@ -60,6 +60,7 @@ void TimeCursor::setRange(double in_s, double out_s) {
 }
 
 void TimeCursor::chooseRange(double in_s, double out_s) {
+    emit choosingRange();
     setRange(in_s, out_s);
     emit rangeChosen();
 }

@@ -45,6 +45,7 @@ public slots:
 signals:
     void timeChanged(double t_s);  ///< at most 60 times a second while playing
     void rangeChanged(double in_s, double out_s);
+    void choosingRange();  ///< comes before rangeChanged(): in and out are the old ones yet
     void rangeChosen();
     void extentChanged();
     void playingChanged(bool playing);

@@ -17,6 +17,13 @@ constexpr double kPerMetre = 1e6;  ///< typed lengths end in whole micrometres: 
 constexpr int kTenthsPerFoot = 120, kTenthsPerYard = 3 * kTenthsPerFoot;
 const QChar kNoBreak(0x00A0), kPrime(0x2032), kDoublePrime(0x2033), kMinusSign(0x2212);
 
+/// Of the settings, which are too slow to read for every length.
+Units& unitsInForce() {
+    static Units units =
+        QSettings().value(kUnits).toString() == kImperial ? Units::kImperial : Units::kMetric;
+    return units;
+}
+
 QString inches(qint64 tenths) {
     return numberText(static_cast<double>(tenths) / 10, tenths % 10 == 0 ? 0 : 1) + kDoublePrime;
 }
@@ -53,10 +60,11 @@ QString plain(const QString& text) {
 }  // namespace
 
 Units chosenUnits() {
-    return QSettings().value(kUnits).toString() == kImperial ? Units::kImperial : Units::kMetric;
+    return unitsInForce();
 }
 
 void chooseUnits(Units units) {
+    unitsInForce() = units;
     QSettings().setValue(kUnits, units == Units::kImperial ? kImperial : "metric");
 }
 

@@ -12,7 +12,8 @@ enum class Units { kMetric, kImperial };
 
 inline constexpr double kMetresPerInch = 0.0254, kMetresPerFoot = 12 * kMetresPerInch;
 
-/// Kept in the settings; metric by default. What is on the screen already stays as it is.
+/// Kept in the settings and read from them once; metric by default. What is on the screen already stays as it
+/// is.
 Units chosenUnits();
 void chooseUnits(Units units);
 

@@ -15,6 +15,7 @@ constexpr double kStepsPerMetre = 1e6;
 
 LengthBox::LengthBox(double least_m, double most_m, Metric metric, QWidget* parent)
     : QDoubleSpinBox(parent), metric_(metric) {
+    setKeyboardTracking(false);  // "50" would be taken of "50 kg"
     setDecimals(kEveryBit);
     setRange(least_m, most_m);
     setSingleStep(chosenUnits() == Units::kImperial ? kMetresPerInch : 0.01);
@@ -39,6 +40,7 @@ double LengthBox::valueFromText(const QString& text) const {
 }
 
 void LengthBox::stepBy(int steps) {
+    interpretText();
     setValue(std::round((value() + steps * singleStep()) * kStepsPerMetre) / kStepsPerMetre);
     selectAll();
 }

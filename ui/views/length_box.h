@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A spin box of a length in metres. It writes in the chosen units and reads all of them (lengths.h). Text
-// that nobody changed leaves the value as it was, to the last bit.
+// that nobody changed leaves the value as it was, to the last bit. A typed one counts with Return or once the
+// box is left; interpretText() asks for it before.
 #pragma once
 
 #include <QDoubleSpinBox>

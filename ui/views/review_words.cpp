@@ -213,7 +213,7 @@ ProblemWords gyroscopesProblem(const TakeVerdict& verdict) {
         "No gyroscope was used, so the angles are guesses. Process the take with gyroscopes for a result to "
         "work with.");
     words.action = Words::tr("Process with gyroscopes");
-    words.processes = true;
+    words.processes = words.with_gyroscopes = true;
     return words;
 }
 

@@ -28,11 +28,12 @@ QString gradeExplained(const TakeVerdict& verdict);
 struct ProblemWords {
     Tone tone = Tone::kWarn;
     QString title, text;
-    QString action;          ///< "Show left knee"; empty: none
-    QString joint;           ///< that the action chooses, or
-    int board = -1;          ///< the board that it chooses
-    bool processes = false;  ///< the action asks how to process the take
-    double time_s = -1;      ///< where it puts the cursor; negative: nowhere
+    QString action;                ///< "Show left knee"; empty: none
+    QString joint;                 ///< that the action chooses, or
+    int board = -1;                ///< the board that it chooses
+    bool processes = false;        ///< the action asks how to process the take
+    bool with_gyroscopes = false;  ///< which it proposes
+    double time_s = -1;            ///< where it puts the cursor; negative: nowhere
 };
 /// What lowered the grade, worst first.
 std::vector<ProblemWords> problemsInWords(const TakeVerdict& verdict, const TakeOverview& overview);

@@ -103,14 +103,16 @@ QWidget* CalibratePage::makeSuits() {
     return of_suit;
 }
 
-/// What was taken of one suit would be lost. A check keeps its result by itself.
-QString CalibratePage::whyNotOtherSuit() {
+bool CalibratePage::isUnderWay() const {
     if (!showsWizard() || wizard_->run()->phase() == WizardRun::Phase::kIntro)
-        return {};
+        return false;
     const WizardRun& run = *wizard_->run();
-    const bool is_kept =
-        run.phase() == WizardRun::Phase::kResult && (run.isSaved() || run.task() == WizardTask::kCheck);
-    return is_kept ? QString() : tr("Finish or leave this calibration, then choose another suit.");
+    return run.phase() != WizardRun::Phase::kResult || (!run.isSaved() && run.task() != WizardTask::kCheck);
+}
+
+/// What was taken of one suit would be lost.
+QString CalibratePage::whyNotOtherSuit() {
+    return isUnderWay() ? tr("Finish or leave this calibration, then choose another suit.") : QString();
 }
 
 QWidget* CalibratePage::makeOverview() {

@@ -47,6 +47,8 @@ public:
     /// Of the room; hidden where there are no anchors.
     TaskCard* roomCard() { return room_card_; }
     bool showsWizard() const;
+    /// A wizard has begun, and its result is not kept yet. A check keeps its result by itself.
+    bool isUnderWay() const;
     /// Whose calibration is shown, where several suits are connected.
     SuitSwitch& suits() { return *suits_; }
     TaskCard& card(WizardTask task) { return *cards_.at(task); }

@@ -97,9 +97,7 @@ QWidget* CalibratePage::makeAsideButton(const QString& file) {
     auto* aside = new ToolButton("close", tr("Put %1 aside").arg(file.section('.', 0, 0)));
     aside->setDisabledBecause(studio_.session().whyNotAside(file));
     connect(aside, &QToolButton::clicked, this, [this, file] {
-        studio_.session().putCalibrationAside(file);
-        if (!QFileInfo::exists(QString::fromStdString(
-                (studio_.session().session().calibrationFolder() / file.toStdString()).string())))
+        if (studio_.session().putCalibrationAside(file))
             studio_.sayOfFile(tr("%1 is put aside; undo with %2.", "file, key")
                                   .arg(file, keysText(Keys::keyOf("window/undo", QKeySequence("Ctrl+Z")))));
     });

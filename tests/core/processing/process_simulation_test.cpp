@@ -7,8 +7,10 @@
 
 #include "core/formats/bvh.h"
 #include "core/processing/calibrate_takes.h"
+#include "core/processing/evaluate_take.h"
 #include "core/processing/inspect_take.h"
 #include "core/processing/take_quality.h"
+#include "core/report/take_verdict.h"
 #include "tests/core/processing/processed_runs.h"
 
 namespace noctule {
@@ -120,6 +122,27 @@ TEST(ProcessSimulation, TakesWithoutTheSensorsAskedForAreRefusedOrTold) {
     const auto of_skipped = std::ranges::find(findings, skipped, &Finding::part);
     ASSERT_NE(of_skipped, findings.end());
     EXPECT_EQ(of_skipped->what, skipped + " was skipped and keeps what it had");
+}
+
+TEST(ProcessSimulation, AResultOfATakeWithoutGyroscopesIsJudgedAsSuch) {
+    if (!std::filesystem::exists(kMotion))
+        GTEST_SKIP() << "no " << kMotion << " (package assimp-testmodels)";
+    const Folder folder;
+    const std::string path = folder.file("still.noctule");
+    simulate(path, simulation::Level::kReadings, 3);
+    const auto judged = [&] {
+        EXPECT_TRUE(processTake(requestFor(path), {}));
+        EvaluateRequest evaluation;
+        evaluation.take_path = path;
+        const auto data = evaluateTake(evaluation, {});
+        EXPECT_TRUE(data) << data.error().text();
+        return judgeTake(*data);
+    };
+    EXPECT_EQ(judged().sensors, "AGD");
+    runSql(path, "UPDATE inertial SET gx=NULL, gy=NULL, gz=NULL");
+    const TakeVerdict verdict = judged();
+    EXPECT_EQ(verdict.sensors, "AD") << "gyroscopes were asked for, and there were none";
+    EXPECT_TRUE(std::ranges::count(verdict.reasons, VerdictReason::kNoGyroscopes));
 }
 
 /// As after holes in the sound, which end axis by axis within 0.86 s: five sixths of the axes are silent, in

@@ -251,6 +251,17 @@ TEST_F(TakeVerdictTest, AnUncalibratedTakeHasOneReasonAndNoOther) {
     EXPECT_EQ(this->verdict().grade, Grade::kGood) << "against a reference the error is known";
 }
 
+TEST_F(TakeVerdictTest, AMissingCalibrationIsToldBeforeMissingGyroscopes) {
+    report_.lack = lackOf(suit_, Calibration{});
+    report_.runs[0].sensors = "AD";
+    EXPECT_EQ(verdict().reasons, (std::vector{VerdictReason::kNotCalibrated, VerdictReason::kNoGyroscopes}));
+    EXPECT_EQ(judge(report_).headline.find("Not usable: this take has no calibration"), 0u)
+        << judge(report_).headline;
+    compare(1);
+    EXPECT_EQ(verdict().reasons, std::vector{VerdictReason::kNoGyroscopes})
+        << "against a reference the error is known";
+}
+
 TEST_F(TakeVerdictTest, AMissingRestPoseMakesItUsable) {
     report_.lack.board_count = 18;
     report_.lack.rest_pose = {3, 4};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Step Calibrate with two suits, each a box that plays the tiny take over TCP.
 #include <QApplication>
+#include <QComboBox>
 #include <QFile>
 #include <QLabel>
 #include <QMessageBox>
@@ -11,6 +12,7 @@
 
 #include "tests/devices/support/test_box.h"
 #include "tests/ui/main_window/studio_fixture.h"
+#include "ui/main_window/preferences_dialog.h"
 #include "ui/views/connect/suit_switch.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/tool_button.h"
@@ -74,6 +76,33 @@ TEST_F(CalibrateTwoSuits, WhatAWizardHasTakenIsNotLostByLookingAtTheOther) {
     page().closeWizard();
     performer(0).click();
     EXPECT_EQ(&studio_->suits().current(), studio_->suits().connected()[0]);
+}
+
+TEST_F(CalibrateTwoSuits, TheWindowIsNotMadeAnewUnderAWizard) {
+    const auto can_change = [this] {
+        bool can = false;
+        QTimer looking;
+        QObject::connect(&looking, &QTimer::timeout, [&] {
+            if (auto* dialog = qobject_cast<PreferencesDialog*>(QApplication::activeModalWidget())) {
+                can = dialog->language().isEnabled() && dialog->units().isEnabled();
+                EXPECT_EQ(dialog->units().toolTip().contains("Finish or leave it first"), !can);
+                dialog->accept();
+            }
+        });
+        looking.start(20);
+        window_->showPreferences();
+        return can;
+    };
+    page().open(WizardTask::kAccelerometers);
+    EXPECT_TRUE(can_change()) << "nothing has begun";
+    page().wizard().run()->begin();
+    ASSERT_EQ(page().wizard().run()->phase(), WizardRun::Phase::kGuiding);
+    EXPECT_FALSE(can_change());
+    window_->goTo(Step::kConnect);
+    EXPECT_FALSE(can_change()) << "it goes on when Calibrate is shown again";
+    window_->goTo(Step::kCalibrate);
+    page().closeWizard();
+    EXPECT_TRUE(can_change());
 }
 
 TEST_F(CalibrateTwoSuits, StepsOfAnUnfinishedCalibrationAreThoseOfTheirSuit) {

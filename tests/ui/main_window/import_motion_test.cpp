@@ -14,6 +14,7 @@
 #include "ui/style/resources.h"
 #include "ui/style/theme.h"
 #include "ui/views/export/export_page.h"
+#include "ui/views/length_box.h"
 #include "ui/views/session/motion_dialog.h"
 #include "ui/widgets/button.h"
 
@@ -102,7 +103,10 @@ TEST_F(ImportMotion, OneClickCorrectsAndIsKeptForTheSameJoints) {
         dialog.show();
         ASSERT_TRUE(waitFor([&] { return settled(dialog); }));
         const double tall = dialog.motion()->measures.height_m;
-        dialog.height->setValue(1.95);
+        dialog.height->selectAll();
+        QTest::keyClicks(dialog.height, "1.95");
+        EXPECT_EQ(dialog.hints().height_m, 0) << "nothing is worked out for a number half typed";
+        dialog.height->interpretText();
         ASSERT_TRUE(waitFor([&] { return settled(dialog) && dialog.motion()->measures.height_m > 1.9; }));
         EXPECT_NEAR(dialog.motion()->measures.height_m, 1.95, 1e-3);
         EXPECT_LT(tall, 1.9);

@@ -22,6 +22,7 @@
 #include "ui/views/connect/body_map.h"
 #include "ui/views/connect/connect_page.h"
 #include "ui/views/connect/readiness_panel.h"
+#include "ui/views/length_box.h"
 #include "ui/views/page.h"
 #include "ui/views/performer/length_field.h"
 #include "ui/views/performer/performer_measures_panel.h"
@@ -216,6 +217,7 @@ TEST_F(MainWindowTest, CtrlZTakesBackWhatWasTypedAFieldBefore) {
     const auto height_m = [this] { return studio_->session().session().performers.at(0).measures.height_m; };
     const double before_m = height_m();
     measures.height().setFocus();
+    ASSERT_TRUE(waitFor([&] { return measures.height().hasFocus(); }));
     measures.height().selectAll();
     QTest::keyClicks(&measures.height(), "190");
     QLineEdit* next = measures.field(&BodyMeasures::forearm_m).edit();

@@ -49,6 +49,7 @@ TEST_F(PreferencesTest, UnitsAreKeptAndTheWindowIsMadeAnewWithThem) {
     }
     EXPECT_TRUE(made_anew);
     EXPECT_EQ(chosenUnits(), Units::kImperial);
+    EXPECT_EQ(studio_->settings().value("units").toString(), "imperial") << "for the next start";
     restart();
     EXPECT_EQ(PreferencesDialog(*studio_).units().currentIndex(), 1);
     chooseUnits(Units::kMetric);

@@ -3,6 +3,7 @@
 // box plays the tiny take over TCP in real time. NOCTULE_RECORD_S: another length than two seconds, on a
 // machine with nothing else to do; NOCTULE_RECORD_TAKE: another take, with the calibration in it.
 #include <QAbstractButton>
+#include <QComboBox>
 #include <QLabel>
 #include <QMessageBox>
 #include <QThread>
@@ -14,6 +15,7 @@
 #include "tests/devices/support/test_box.h"
 #include "tests/ui/main_window/studio_fixture.h"
 #include "tests/ui/support/stall_watch.h"
+#include "ui/main_window/preferences_dialog.h"
 #include "ui/main_window/status_line.h"
 #include "ui/main_window/top_bar.h"
 #include "ui/scene/scene_view.h"
@@ -130,6 +132,25 @@ TEST_F(RecordFlow, FromLaunchToAnExportedTake) {
     EXPECT_EQ(export_page.results()->written(), 1);
     EXPECT_LE(clicks_, kMostClicks);
     std::printf("%d clicks from launch to an exported take of %.0f s\n", clicks_, recordedSeconds());
+}
+
+TEST_F(RecordFlow, TheWindowIsNotMadeAnewUnderATake) {
+    ASSERT_TRUE(studio_->session().create(home() + "-anew", "anew"));
+    connectDirectly();
+    PreferencesDialog preferences(*studio_);
+    const auto can_change = [&](bool can) {
+        for (const QComboBox* box : {&preferences.language(), &preferences.units()})
+            if (box->isEnabled() != can || box->toolTip().contains("being recorded") == can)
+                return false;
+        return true;
+    };
+    EXPECT_TRUE(can_change(true));
+    EXPECT_EQ(studio_->suits().record({"walk", {}, 0, 0}), "");
+    ASSERT_TRUE(recordFor(0.2));
+    EXPECT_TRUE(can_change(false)) << "markers and notes would be lost";
+    EXPECT_FALSE(PreferencesDialog(*studio_).units().isEnabled()) << "nor when it is opened now";
+    studio_->suits().stopRecording();
+    EXPECT_TRUE(waitFor([&] { return can_change(true); }));
 }
 
 TEST_F(RecordFlow, AllScreensTellOneTimeForWhichThereIsRoom) {

@@ -273,9 +273,10 @@ TEST_F(SuitMemoryTest, ACalibrationIsPutAsideAndComesBackWithItsReport) {
     session.open(QString::fromStdString(session.session().folder.string()));  // it is of an earlier opening
     ASSERT_TRUE(waitFor([&] { return session.isOpen() && session.undoStack().count() == 0; }));
     EXPECT_EQ(session.whyNotAside(other), "");
-    session.putCalibrationAside(other);
+    EXPECT_TRUE(session.putCalibrationAside(other));
     expectAside(true);
     EXPECT_NE(shelf.nextName("gyroscopes") + ".json", other) << "its name stays its own";
+    EXPECT_FALSE(shelf.nextName(QString(300, 'x')).isEmpty()) << "longer than a file's name may be";
     session.undoStack().undo();
     expectAside(false);
     session.undoStack().redo();
@@ -284,11 +285,21 @@ TEST_F(SuitMemoryTest, ACalibrationIsPutAsideAndComesBackWithItsReport) {
     QSignalSpy failed(&session, &SessionModel::failed);
     const int steps = session.undoStack().count();
     EXPECT_FALSE(session.whyNotAside(in_use).isEmpty());
-    session.putCalibrationAside(in_use);
+    EXPECT_FALSE(session.putCalibrationAside(in_use));
     ASSERT_EQ(failed.count(), 1);
     EXPECT_TRUE(failed[0][0].toString().contains("Use another calibration")) << "what to do instead";
     EXPECT_EQ(session.undoStack().count(), steps);
     EXPECT_TRUE(folder.exists(in_use));
+}
+
+TEST_F(SuitMemoryTest, ACalibrationThatIsGoneIsNotPutAside) {
+    openSession("gone");
+    SessionModel& session = studio_->session();
+    QSignalSpy failed(&session, &SessionModel::failed);
+    EXPECT_FALSE(session.putCalibrationAside("gyroscopes-2026-03-01.json"));
+    EXPECT_EQ(failed.count(), 1);
+    EXPECT_EQ(session.undoStack().count(), 0);
+    EXPECT_FALSE(std::filesystem::exists(session.session().asideFolder())) << "nothing is made for it";
 }
 
 }  // namespace

@@ -22,6 +22,13 @@ TEST_F(LengthsTest, AreMetricUnlessChosenOtherwise) {
     EXPECT_EQ(lengthText(std::numeric_limits<double>::quiet_NaN()).toStdString(), "–");
 }
 
+TEST_F(LengthsTest, TheChoiceIsKeptAndReadOnce) {
+    chooseUnits(Units::kImperial);
+    EXPECT_EQ(QSettings().value("units").toString(), "imperial");
+    QSettings().clear();
+    EXPECT_EQ(chosenUnits(), Units::kImperial) << "for each cell of a table the file would be looked at";
+}
+
 TEST_F(LengthsTest, AreWrittenInFeetAndInches) {
     chooseUnits(Units::kImperial);
     const std::pair<double, const char*> kTexts[] = {{1.8034, "5′11″"},  {1.78, "5′10.1″"}, {0.25, "9.8″"},

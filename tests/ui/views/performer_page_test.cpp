@@ -149,6 +149,28 @@ TEST_F(PerformerPageTest, AHeightThatNobodyTypedKeepsEveryBit) {
     }
 }
 
+TEST_F(PerformerPageTest, AHeightThatIsNoLengthGoesBackToTheOldOne) {
+    LengthBox& height = page_->measures().height();
+    for (const char* nonsense : {"71 i", "50 kg", "180 cm 2", "abc"}) {
+        height.selectAll();
+        QTest::keyClicks(&height, nonsense);
+        EXPECT_EQ(performer().measures.height_m, 1.75) << nonsense << ": a beginning is no height";
+        QTest::keyClick(&height, Qt::Key_Return);
+        EXPECT_EQ(performer().measures.height_m, 1.75) << nonsense;
+        EXPECT_EQ(height.text(), height.textFromValue(1.75)) << nonsense;
+    }
+    EXPECT_EQ(undo().count(), 0);
+    height.selectAll();
+    QTest::keyClicks(&height, "71 in");
+    QTest::keyClick(&height, Qt::Key_Return);
+    EXPECT_EQ(performer().measures.height_m, 1.8034);
+    EXPECT_EQ(undo().count(), 1);
+    height.selectAll();
+    QTest::keyClicks(&height, "160");
+    QTest::keyClick(&height, Qt::Key_Up);
+    EXPECT_NEAR(performer().measures.height_m, 1.61, 1e-9) << "a step from what was typed";
+}
+
 TEST_F(PerformerPageTest, NonsenseInAFieldChangesNothing) {
     LengthField& forearm = page_->measures().field(&BodyMeasures::forearm_m);
     for (const char* nonsense : {"abc", "-5", "0", "1e999"}) {

@@ -21,6 +21,7 @@ TEST(ReviewWords, AResultWithoutGyroscopesSaysHowToGetABetterOne) {
         EXPECT_EQ(problems[0].title, title);
         EXPECT_TRUE(problems[0].text.startsWith("No gyroscope was used, so the angles are guesses."));
         EXPECT_TRUE(problems[0].processes);
+        EXPECT_TRUE(problems[0].with_gyroscopes) << "the last result's sensors are not proposed again";
     }
 }
 

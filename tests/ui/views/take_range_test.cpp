@@ -37,5 +37,43 @@ TEST_F(TakeRangeTest, SetByACommandTheyAreTakenBackOneByOne) {
     EXPECT_NEAR(time.in(), 0, 1e-9);
 }
 
+TEST_F(TakeRangeTest, ASecondPressIsAStepOfItsOwn) {
+    const TakeRange range(*studio_);
+    TimeWindow window(studio_->time());
+    Timeline timeline(*studio_, window);
+    TransportBar bar(*studio_, timeline);
+    openTake("swing_001");
+    TimeCursor& time = studio_->time();
+    UndoHistory& undo = studio_->session().undoStack();
+    for (const double in_s : {0.5, 0.8}) {
+        time.setTime(in_s);
+        bar.setIn();
+    }
+    ASSERT_EQ(undo.count(), 2);
+    undo.undo();
+    EXPECT_NEAR(time.in(), 0.5, 1e-9);
+    undo.undo();
+    EXPECT_NEAR(time.in(), 0, 1e-9);
+}
+
+TEST_F(TakeRangeTest, ADragBeforeAPressIsTakenBackByItself) {
+    const TakeRange range(*studio_);
+    TimeWindow window(studio_->time());
+    Timeline timeline(*studio_, window);
+    TransportBar bar(*studio_, timeline);
+    openTake("swing_001");
+    TimeCursor& time = studio_->time();
+    UndoHistory& undo = studio_->session().undoStack();
+    time.setRange(0.3, time.out());  // dragged, and not written yet
+    ASSERT_EQ(undo.count(), 0);
+    time.setTime(0.6);
+    bar.setIn();
+    ASSERT_EQ(undo.count(), 2);
+    undo.undo();
+    EXPECT_NEAR(time.in(), 0.3, 1e-9);
+    undo.undo();
+    EXPECT_NEAR(time.in(), 0, 1e-9);
+}
+
 }  // namespace
 }  // namespace noctule::ui

@@ -151,22 +151,30 @@ QString AssignPanel::words() const {
 
 void AssignPanel::find(bool on) {
     found_ = -1;
-    heard_s_ = 0;
-    first_sample_.reset();
     finder_.reset();
-    const auto hello = capture_.suit().status()->hello;
-    if (on && hello) {
-        sample_rate_hz_ = hello->sample_rate_hz;
-        finder_ = std::make_unique<MovingBoard>(capture_.suit().suit(), hello->sample_rate_hz);
-    }
+    if (on)
+        listenAnew();
     emit boardFound(-1);
     showSuit();
+}
+
+void AssignPanel::listenAnew() {
+    heard_s_ = 0;
+    first_sample_.reset();
+    const auto hello = capture_.suit().status()->hello;
+    if (!hello)
+        return;
+    sample_rate_hz_ = hello->sample_rate_hz;
+    finder_ = std::make_unique<MovingBoard>(capture_.suit().suit(), hello->sample_rate_hz);
 }
 
 void AssignPanel::listen() {
     const auto frame = capture_.suit().frame();
     if (!finder_ || !frame || frame->readings.size() != capture_.suit().suit().boards.size())
         return;
+    if (first_sample_ && frame->sample < last_sample_)
+        listenAnew();  // a stream that begins anew counts from zero
+    last_sample_ = frame->sample;
     for (const auto& reading : frame->readings)
         if (reading)
             finder_->add(*reading);

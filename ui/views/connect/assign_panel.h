@@ -44,6 +44,8 @@ private:
     void showSuit();
     QString listeningWords() const;
     void find(bool on);
+    /// Which board was found stays until another one is.
+    void listenAnew();
     void listen();
     void assign();
 
@@ -56,6 +58,7 @@ private:
     int found_ = -1;
     int heard_s_ = 0, sample_rate_hz_ = 1;  ///< while it listens
     std::optional<int64_t> first_sample_;
+    int64_t last_sample_ = 0;
 };
 
 }  // namespace noctule::ui

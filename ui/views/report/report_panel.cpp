@@ -200,7 +200,9 @@ void ReportPanel::showFeet() {
 }
 
 void ReportPanel::goTo(const ProblemWords& problem) {
-    if (problem.processes)
+    if (problem.with_gyroscopes)
+        emit gyroscopesWanted();
+    else if (problem.processes)
         emit processingWanted();
     if (!problem.joint.isEmpty())
         review_.selection().setJoint(problem.joint);

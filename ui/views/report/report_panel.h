@@ -34,6 +34,7 @@ signals:
     void fullReportWanted();
     void exportWanted();
     void processingWanted();
+    void gyroscopesWanted();  ///< processing with them
 
 private:
     QWidget* makeNumbers();

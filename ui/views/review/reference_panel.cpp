@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/review/reference_panel.h"
 
+#include <QDialog>
 #include <QDir>
 #include <QDropEvent>
 #include <QFileInfo>

@@ -9,6 +9,7 @@
 #include "ui/views/report/full_report.h"
 #include "ui/views/report/report_panel.h"
 #include "ui/views/report/report_view.h"
+#include "ui/views/review/choice_row.h"
 #include "ui/views/review/reprocess_dialog.h"
 #include "ui/views/review/review_actions.h"
 #include "ui/views/review/review_center.h"
@@ -50,6 +51,7 @@ ReviewPage::ReviewPage(Studio& studio, QWidget* parent)
 
     connect(sidebar_, &ReviewSidebar::processingWanted, this, &ReviewPage::reprocess);
     connect(report_panel_, &ReportPanel::processingWanted, this, &ReviewPage::reprocess);
+    connect(report_panel_, &ReportPanel::gyroscopesWanted, this, &ReviewPage::reprocessWithGyroscopes);
     connect(report_panel_, &ReportPanel::fullReportWanted, this, &ReviewPage::openFullReport);
     connect(report_panel_, &ReportPanel::exportWanted, this, [this] { studio_.goTo(Step::kExport); });
     connect(report_view_, &ReportView::closed, this, &ReviewPage::closeFullReport);
@@ -124,6 +126,19 @@ void ReviewPage::reprocess() {
     if (!overview)
         return;
     ReprocessDialog dialog(studio_, *overview, window());
+    askHow(dialog);
+}
+
+void ReviewPage::reprocessWithGyroscopes() {
+    const auto overview = studio_.take().overview();
+    if (!overview)
+        return;
+    ReprocessDialog dialog(studio_, *overview, window());
+    dialog.gyroscopes->setChecked(true);
+    askHow(dialog);
+}
+
+void ReviewPage::askHow(ReprocessDialog& dialog) {
     if (dialog.exec() == QDialog::Accepted)
         process(dialog.request());
 }

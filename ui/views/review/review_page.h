@@ -18,6 +18,7 @@ class EmptyState;
 class FullReport;
 class ReportPanel;
 class ReportView;
+class ReprocessDialog;
 class ReviewActions;
 class ReviewCenter;
 class ReviewSidebar;
@@ -45,6 +46,8 @@ public slots:
     void closeFullReport();
     /// Asks how, then process().
     void reprocess();
+    /// Proposes gyroscopes, also where the last result was made without.
+    void reprocessWithGyroscopes();
     /// The new result is shown, the one that was shown before becomes the one it is compared with.
     void process(const ProcessRequest& request);
 
@@ -53,6 +56,7 @@ protected:
     bool eventFilter(QObject* object, QEvent* event) override;
 
 private:
+    void askHow(ReprocessDialog& dialog);
     bool handleKey(const QKeyEvent& event);
     void refresh();
     void tellTitles();

@@ -23,10 +23,14 @@ bool same(double a_s, double b_s) {
 TakeRange::TakeRange(ReviewContext& review, QObject* parent) : QObject(parent), review_(review) {
     pause_.setSingleShot(true);
     pause_.setInterval(kRangePause_ms);
-    connect(&pause_, &QTimer::timeout, this, &TakeRange::write);
+    connect(&pause_, &QTimer::timeout, this, &TakeRange::writeDragged);
     connect(&review.time(), &TimeCursor::rangeChanged, this, [this] {
         if (!reading_)
             pause_.start();
+    });
+    connect(&review.time(), &TimeCursor::choosingRange, this, [this] {
+        if (pause_.isActive())
+            writeDragged();
     });
     connect(&review.time(), &TimeCursor::rangeChosen, this, &TakeRange::choose);
     connect(&review.take(), &TakeDocument::opened, this, [this] {
@@ -57,7 +61,18 @@ void TakeRange::choose() {
     review_.shared().say(tr("In is at %1, out at %2.").arg(timeText(time.in(), 2), timeText(time.out(), 2)));
 }
 
-void TakeRange::write() {
+/// A drag that rests in between is one step all the same.
+void TakeRange::writeDragged() {
+    pause_.stop();
+    const int index = openTakeIndex(review_);
+    if (index < 0)
+        return;
+    const SessionTake& take = review_.shared().session().session().takes[static_cast<size_t>(index)];
+    write(QString("range/%1/%2")
+              .arg(same(take.in_s, review_.time().in()) ? "out" : "in", QString::fromStdString(take.name)));
+}
+
+void TakeRange::write(const QString& merge_key) {
     const int index = openTakeIndex(review_);
     if (index < 0)
         return;
@@ -65,7 +80,7 @@ void TakeRange::write() {
     const TimeCursor& time = review_.time();
     const double out_s = same(time.out(), time.duration()) ? 0 : time.out();
     if (!same(take.in_s, time.in()) || !same(take.out_s, out_s))
-        review_.shared().session().setTakeRange(index, time.in(), out_s);
+        review_.shared().session().setTakeRange(index, time.in(), out_s, merge_key);
 }
 
 }  // namespace noctule::ui

@@ -18,7 +18,8 @@ public:
 private:
     void read();
     void choose();
-    void write();
+    void writeDragged();
+    void write(const QString& merge_key = {});
 
     ReviewContext& review_;
     QTimer pause_;  ///< a drag is one step

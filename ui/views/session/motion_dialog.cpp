@@ -331,7 +331,10 @@ void MotionDialog::showFacts() {
     frame->setRange(0, std::max(0, frames - 1));
     up->setCurrentIndex(rowOf(*up, static_cast<int>(hints_.up)));
     unit->setCurrentIndex(rowOf(*unit, static_cast<int>(hints_.unit)));
-    height->setValue(hints_.height_m > 0 ? hints_.height_m : kAsShown_m);
+    // The same value would take away what is being typed.
+    if (const double height_m = hints_.height_m > 0 ? hints_.height_m : kAsShown_m;
+        height->value() != height_m)
+        height->setValue(height_m);
     QStringList warnings;
     for (const std::string& warning : file_.reader_warnings)
         warnings.append(coreWords(warning));
@@ -382,6 +385,7 @@ void MotionDialog::refresh() {
 }
 
 void MotionDialog::accept() {
+    height->interpretText();
     if (!file_.motion || isBusy())
         return;
     studio_.settings().setValue(kScenarioKey, scenario->currentData());

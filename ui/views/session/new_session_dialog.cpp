@@ -182,6 +182,7 @@ void NewSessionDialog::check() {
 }
 
 void NewSessionDialog::accept() {
+    height_->interpretText();
     check();
     if (!create_->isEnabled())
         return;

@@ -2,6 +2,7 @@
 // Which columns of a table are what, and which sensor sits where, as the operator says it to a
 // RecordingDialog.
 #include <QCryptographicHash>
+#include <QDialog>
 #include <QFileInfo>
 
 #include "core/job/atomic_file.h"
@@ -13,7 +14,6 @@
 #include "ui/widgets/button.h"
 
 namespace noctule::ui {
-namespace {}  // namespace
 
 bool RecordingDialog::useMap(const QString& path) {
     const auto bytes = readWholeFile(path.toStdString(), {});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/session/session_commands.h"
 
+#include <QDialog>
 #include <QDir>
 #include <QFileInfo>
 
