@@ -10,7 +10,7 @@
 namespace noctule::ui {
 namespace {
 
-QString session_folder;
+QString folder_of_session;
 
 bool isThere(const QString& folder) {
     return !folder.isEmpty() && QFileInfo(folder).isDir();
@@ -22,14 +22,14 @@ bool isOfAnotherSession(const QString& folder) {
     bool is_session = above.exists("session.json");
     while (!is_session && above.cdUp())
         is_session = above.exists("session.json");
-    return is_session && !session_folder.isEmpty() &&
-           above.canonicalPath() != QDir(session_folder).canonicalPath();
+    return is_session && !folder_of_session.isEmpty() &&
+           above.canonicalPath() != QDir(folder_of_session).canonicalPath();
 }
 
 }  // namespace
 
 void FileChoice::setSession(const QString& folder) {
-    session_folder = folder;
+    folder_of_session = folder;
 }
 
 QString FileChoice::start() const {
@@ -39,7 +39,7 @@ QString FileChoice::start() const {
     if (!name.isEmpty() && isThere(last) && isOfAnotherSession(last))
         last.clear();
     for (const QString& folder :
-         {last, usual, session_folder, QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)})
+         {last, usual, folder_of_session, QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)})
         if (isThere(folder))
             return folder;
     return QDir::homePath();
