@@ -348,6 +348,7 @@ Status compareRiggedFile(const SceneFile& scene, const ExpectedMotion& expected,
                                 expected.frame_time_s,
                                 expected.begin_s,
                                 wanted.frames,
+                                {},
                                 {}};
     ClipComparison(underOurNames(restParallel(file->clip, boundTurns(*file)), joint_of_ours), rigged, check)
         .run();

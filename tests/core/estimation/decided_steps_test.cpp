@@ -23,7 +23,7 @@ DecidedStep stepOfFreeRoot(double rate) {
 }
 
 TEST(DecidedSteps, AreReadBackAsTheyWereKept) {
-    DecidedSteps steps(UnnamedFile::make(testing::TempDir(), "steps", "").value());
+    DecidedSteps steps(UnnamedFile::make(::testing::TempDir(), "steps", "").value());
     steps.beginStretch();
     for (const double rate : {0.0, 2.0})
         steps.add(stepOfFreeRoot(rate));
