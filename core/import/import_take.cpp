@@ -216,8 +216,10 @@ Status writeAll(const ImportedRecording& recording, TakeWriter& take, const Impo
         actor.name = recording.name;
         actor.skeleton = recording.reference->skeleton;
         actor.rest_q_parent_joint = actor.skeleton.zeroPose().q_parent_joint;
-        if (Status set = take.setMeta("reference_actor", toJson(actor).dump()); !set)
-            return set;
+        for (const auto& [key, value] :
+             {std::pair{"reference_actor", toJson(actor).dump()}, {"reference_frames", std::string("own")}})
+            if (Status set = take.setMeta(key, value); !set)
+                return set;
         return writer.bodyReference();
     }
     if (!writer.seesSensor())

@@ -109,7 +109,9 @@ Result<Reference> chooseReference(const Take& take, const EvaluateRequest& reque
             const std::string kind = shortText(metaText(take, "reference_kind"), limits::kName);
             data.take.reference_kind = kind.empty() ? "unnamed" : kind;
             reference.names = storedNames(take);
-            reference.options.match_segments = metaText(take, "reference_frames") != "ours";
+            // A take's own reference has frames that are parallel in the zero pose, whatever its bones
+            // measure.
+            reference.options.match_segments = metaText(take, "reference_frames") == "own";
         }
     }
     reference.there = !reference.motion.frames.empty();

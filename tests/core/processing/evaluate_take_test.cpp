@@ -36,6 +36,22 @@ TEST_F(EvaluateTake, AKnownErrorComesOutAfterTheRest) {
     EXPECT_TRUE(data.warnings.empty());
 }
 
+TEST_F(EvaluateTake, ATrueBodyWithOtherBonesHasTheSameAngles) {
+    addRuns("mine");
+    addReference(radians(10));
+    const double before_deg = evaluate().runs[0].comparison->mean_deg;
+    nlohmann::json truth = toJson(actor_);
+    for (nlohmann::json& joint : truth["joints"])
+        if (joint["name"] == "RightUpLeg")
+            for (nlohmann::json& along : joint["offset_m"])
+                along = 1.1 * along.get<double>();
+    runSql(path(), "INSERT INTO meta (key, value) VALUES ('reference_actor', '" + truth.dump() + "')");
+    const ReportData data = evaluate();
+    ASSERT_TRUE(data.runs[0].comparison);
+    EXPECT_NEAR(data.runs[0].comparison->mean_deg, before_deg, 1e-9);
+    EXPECT_NEAR(data.runs[0].comparison->find("RightUpLeg")->angle.mean_deg, 0, 1e-6);
+}
+
 TEST_F(EvaluateTake, SettingsOfTheRunAreShown) {
     addRuns("mine");
     const ReportData data = evaluate();
