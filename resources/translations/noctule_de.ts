@@ -8460,6 +8460,25 @@ Median; gut: unter %1</translation>
     </message>
 </context>
 <context>
+    <name>noctule::ui::FindingList</name>
+    <message>
+        <source>No board and no source stands out.</source>
+        <translation>Keine Platine und keine Quelle fällt auf.</translation>
+    </message>
+    <message>
+        <source>Show the worst only</source>
+        <translation>Nur das Schlimmste zeigen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <comment>findings</comment>
+        <translation>
+            <numerusform>%n weiteres</numerusform>
+            <numerusform>%n weitere</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::ResultSide</name>
     <message>
         <source>Save and use</source>
@@ -8468,10 +8487,6 @@ Median; gut: unter %1</translation>
     <message>
         <source>Repeat steps</source>
         <translation>Schritte wiederholen</translation>
-    </message>
-    <message>
-        <source>No board and no source stands out.</source>
-        <translation>Keine Platine und keine Quelle fällt auf.</translation>
     </message>
     <message>
         <source>Save and use it anyway</source>
@@ -8492,18 +8507,6 @@ Median; gut: unter %1</translation>
     <message>
         <source>Process takes again</source>
         <translation>Aufnahmen neu verarbeiten</translation>
-    </message>
-    <message>
-        <source>Show the worst only</source>
-        <translation>Nur das Schlimmste zeigen</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n more</source>
-        <comment>findings</comment>
-        <translation>
-            <numerusform>%n weiteres</numerusform>
-            <numerusform>%n weitere</numerusform>
-        </translation>
     </message>
     <message>
         <source>Saved and in use. New takes are made with it; undo with %1.</source>
