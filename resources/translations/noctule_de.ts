@@ -3590,6 +3590,14 @@
 <context>
     <name>noctule::ui::ExportResultsPanel</name>
     <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>%1 öffnen</translation>
+    </message>
+    <message>
         <source>Save the check as text</source>
         <translation>Prüfung als Text speichern</translation>
     </message>
@@ -10938,6 +10946,14 @@ Drehen, beide Richtungen x3</translation>
     <message>
         <source>The folder is %1. Open it by hand, or install a file manager.</source>
         <translation>Der Ordner ist %1. Öffnen Sie ihn von Hand, oder installieren Sie einen Dateiverwalter.</translation>
+    </message>
+    <message>
+        <source>No program opened %1</source>
+        <translation>Kein Programm hat %1 geöffnet</translation>
+    </message>
+    <message>
+        <source>The file is %1. Open it by hand, or install a program for such files.</source>
+        <translation>Die Datei ist %1. Öffnen Sie sie von Hand, oder installieren Sie ein Programm für solche Dateien.</translation>
     </message>
     <message>
         <source>%1 is not there</source>
