@@ -160,7 +160,7 @@ CalibrationDocument documentOf(const SourceOffsetReport& report) {
                      number(report.leave_one_out.deviation_m * kMillimetres, kPaperDeviation_mm, 2, " mm",
                             "its deviation"),
                      number(worst_sigma_s * kRoughSpeed_m_per_s * kMillimetres, 0.3, 2, " mm",
-                            "sigma of the worst offset"),
+                            "offset known to, worst source"),
                      numberOfParts(counted(report.sources, &SourceOffset::calibrated), "sources")};
     found.errors = offsetErrors(report);
     return found;
@@ -186,9 +186,9 @@ CalibrationDocument documentOf(const AccelerometerReport& report) {
         document("Accelerometers", "Accelerometers of " + calibrated + " boards", report.findings, {table});
     const double to_mg = 1e3 / kStandardGravity_m_per_s2;
     found.numbers = {number(worstOf(report.boards, &AccelerometerBoard::sigmaZero_m_per_s2) * to_mg, 2, 2,
-                            " mg", "sigma of the worst zero"),
+                            " mg", "zero known to, worst axis"),
                      number(worstOf(report.boards, &AccelerometerBoard::sigmaSlope) * 100, 0.04, 3, " %",
-                            "sigma of the worst slope"),
+                            "scale known to, worst axis"),
                      numberOfParts(calibrated, "boards")};
     found.errors = {"Error of gravity in every position", "mg", 2,
                     errorRows(report.boards, &AccelerometerBoard::positions, to_mg,
@@ -215,9 +215,9 @@ CalibrationDocument documentOf(const GyroscopeReport& report) {
     CalibrationDocument found = document("Gyroscopes", summary, report.findings, {table});
     found.numbers = {
         number(degrees(worstOf(report.boards, &GyroscopeBoard::sigmaZero_rad_per_s)), 0.02, 3, " °/s",
-               "sigma of the worst zero"),
+               "zero known to, worst axis"),
         number(worstOf(report.boards, &GyroscopeBoard::sigmaSlope) * 100, 0.03, 3, " %",
-               "sigma of the worst slope"),
+               "scale known to, worst axis"),
         {text::number(report.rpm, 3) + " rpm",
          report.speed_measured ? "the table, measured by the accelerometers" : "the table, nominal", "",
          Grade::kGood},

@@ -52,7 +52,7 @@ std::vector<CalibrationNumber> numbersOf(const WorstOfField& worst) {
          "at least " + std::to_string(kEnough) + " %", grade(worst.seen >= kEnough)}};
     if (!worst.in_microtesla)
         return numbers;
-    numbers.push_back({text::number(worst.sigma_ut, 2) + " µT", "sigma of the worst zero",
+    numbers.push_back({text::number(worst.sigma_ut, 2) + " µT", "zero known to, worst sensor",
                        "under " + text::number(Limits::kGoodZero_ut, 1) + " µT",
                        grade(worst.sigma_ut <= Limits::kGoodZero_ut)});
     numbers.push_back(

@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 #include "core/motion/joint_angles.h"
 
@@ -20,7 +21,8 @@ constexpr std::array<const char*, 3> kRootTurns{"yaw", "pitch", "roll"};
 struct Sample {
     double value = kNoValue, sigma = kNoValue;
 };
-/// Called for the frames that show something, in order: angles follow on from the ones before.
+/// Called for the frames that show something, in order: angles of the root and of balls follow on from the
+/// ones before.
 using Sampler = std::function<Sample(const TimedPose&)>;
 
 int indexIn(const std::array<const char*, 3>& names, const std::string& name) {
@@ -71,10 +73,9 @@ double freedomSigma(const Joint& joint, const Eigen::VectorXd& angles_rad, const
 }
 
 Sampler hingeSampler(const Joint& joint, size_t index, int freedom) {
-    return [joint, index, freedom, near = 0.0](const TimedPose& frame) mutable {
+    return [joint, index, freedom](const TimedPose& frame) {
         const JointAngles angles = projectOntoJoint(joint, frame.pose->q_parent_joint[index], false);
-        near = nearestTurn(angles.angles_rad[freedom], near);
-        Sample sample{near, kNoValue};
+        Sample sample{nearestTurn(angles.angles_rad[freedom], 0), kNoValue};
         if (const auto sigma = sigmaOf(frame, index))
             sample.sigma = freedomSigma(joint, angles.angles_rad, *sigma, freedom);
         return sample;
@@ -168,13 +169,20 @@ MotionCurve motionCurve(const TimedMotion& motion, const CurveChoice& choice, co
     std::vector<double> t_s;
     std::vector<float> value, low, high;
     bool has_sigma = false;
-    for (const TimedPose& frame : motion.frames) {
-        const Sample at = frame.pose && isUsable(*frame.pose) ? sample(frame) : Sample{};
-        has_sigma = has_sigma || std::isfinite(at.sigma);
-        t_s.push_back(static_cast<double>(frame.time_ns) * 1e-9);
+    const auto append = [&](double time_s, const Sample& at) {
+        t_s.push_back(time_s);
         value.push_back(static_cast<float>(scale * at.value));
         low.push_back(static_cast<float>(scale * (at.value - 2 * at.sigma)));
         high.push_back(static_cast<float>(scale * (at.value + 2 * at.sigma)));
+    };
+    for (Sample before; const TimedPose& frame : motion.frames) {
+        const Sample at = frame.pose && isUsable(*frame.pose) ? sample(frame) : Sample{};
+        has_sigma = has_sigma || std::isfinite(at.sigma);
+        const double time_s = static_cast<double>(frame.time_ns) * 1e-9;
+        if (curve.unit == CurveUnit::kDegrees && std::abs(at.value - before.value) > std::numbers::pi)
+            append(std::midpoint(t_s.back(), time_s), {});
+        append(time_s, at);
+        before = at;
     }
     if (has_sigma) {
         curve.low = SeriesPyramid(makeSeries(t_s, std::move(low)));

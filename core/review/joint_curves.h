@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Curves of a motion for plots: joint angles in degrees with what the estimator thinks of its own error, and
 // the root's position, height and heading. Ball joints are shown as three angles free of jumps
-// (motion/joint_angles.h), other joints by their named degrees of freedom.
+// (motion/joint_angles.h), other joints by their named degrees of freedom within half a turn either way.
 #pragma once
 
 #include <string>
@@ -33,7 +33,7 @@ enum class CurveUnit { kDegrees, kMetres };
 
 struct MotionCurve {
     CurveUnit unit = CurveUnit::kDegrees;
-    SeriesPyramid value;      ///< breaks where nothing was seen
+    SeriesPyramid value;      ///< breaks where nothing was seen, and where a hinge passes half a turn
     SeriesPyramid low, high;  ///< value -+ 2 sigma; empty when the motion carries none
 };
 

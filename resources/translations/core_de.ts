@@ -2819,6 +2819,10 @@
         <translation>Von Bild %1 zu %2 läuft die Zeit um %3 s weiter; die Bilder wurden nach ihren Nummern gelegt, %4 s</translation>
     </message>
     <message>
+        <source>Give a map of the columns with --map MAP.json; noctule --batch import --help shows one</source>
+        <translation>Mit --map MAP.json eine Zuordnung der Spalten angeben; noctule --batch import --help zeigt eine</translation>
+    </message>
+    <message>
         <source>Give a table with comma, semicolon, tab or blank between its cells</source>
         <translation>Eine Tabelle mit Komma, Strichpunkt, Tabulator oder Leerzeichen zwischen den Zellen angeben</translation>
     </message>
@@ -3069,10 +3073,6 @@
     <message>
         <source>Timestamp (us),Gyroscope X</source>
         <translation>Timestamp (us),Gyroscope X</translation>
-    </message>
-    <message>
-        <source>Give a map of the columns with --map MAP.json; noctule --batch import --help shows one</source>
-        <translation>Mit --map MAP.json eine Zuordnung der Spalten angeben; noctule --batch import --help zeigt eine</translation>
     </message>
     <message>
         <source>Write enu, nwu, ned, opensim or noctule</source>
@@ -7937,6 +7937,10 @@
         <translation>daneben, °</translation>
     </message>
     <message>
+        <source>offset known to, worst source</source>
+        <translation>Versatz bekannt auf, schlechteste Quelle</translation>
+    </message>
+    <message>
         <source>offset, µs</source>
         <translation>Versatz, µs</translation>
     </message>
@@ -7989,6 +7993,10 @@
         <translation>Ruhehaltungen</translation>
     </message>
     <message>
+        <source>scale known to, worst axis</source>
+        <translation>Maßstab bekannt auf, schlechteste Achse</translation>
+    </message>
+    <message>
         <source>scope="row"</source>
         <translation>scope="row"</translation>
     </message>
@@ -8011,18 +8019,6 @@
     <message>
         <source>sigma of the weakest anchor</source>
         <translation>Sigma des schwächsten Ankers</translation>
-    </message>
-    <message>
-        <source>sigma of the worst offset</source>
-        <translation>Sigma des schlechtesten Versatzes</translation>
-    </message>
-    <message>
-        <source>sigma of the worst slope</source>
-        <translation>Sigma der schlechtesten Steigung</translation>
-    </message>
-    <message>
-        <source>sigma of the worst zero</source>
-        <translation>Sigma des schlechtesten Nullpunkts</translation>
     </message>
     <message>
         <source>sigma, mm</source>
@@ -8155,6 +8151,14 @@
     <message>
         <source>worst, mm</source>
         <translation>größter, mm</translation>
+    </message>
+    <message>
+        <source>zero known to, worst axis</source>
+        <translation>Nullpunkt bekannt auf, schlechteste Achse</translation>
+    </message>
+    <message>
+        <source>zero known to, worst sensor</source>
+        <translation>Nullpunkt bekannt auf, schlechtester Sensor</translation>
     </message>
     <message>
         <source>zero, sigma, µT</source>

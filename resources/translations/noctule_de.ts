@@ -3590,6 +3590,14 @@
 <context>
     <name>noctule::ui::ExportResultsPanel</name>
     <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>%1 öffnen</translation>
+    </message>
+    <message>
         <source>Save the check as text</source>
         <translation>Prüfung als Text speichern</translation>
     </message>
@@ -8460,6 +8468,25 @@ Median; gut: unter %1</translation>
     </message>
 </context>
 <context>
+    <name>noctule::ui::FindingList</name>
+    <message>
+        <source>No board and no source stands out.</source>
+        <translation>Keine Platine und keine Quelle fällt auf.</translation>
+    </message>
+    <message>
+        <source>Show the worst only</source>
+        <translation>Nur das Schlimmste zeigen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <comment>findings</comment>
+        <translation>
+            <numerusform>%n weiteres</numerusform>
+            <numerusform>%n weitere</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::ResultSide</name>
     <message>
         <source>Save and use</source>
@@ -8468,10 +8495,6 @@ Median; gut: unter %1</translation>
     <message>
         <source>Repeat steps</source>
         <translation>Schritte wiederholen</translation>
-    </message>
-    <message>
-        <source>No board and no source stands out.</source>
-        <translation>Keine Platine und keine Quelle fällt auf.</translation>
     </message>
     <message>
         <source>Save and use it anyway</source>
@@ -8492,18 +8515,6 @@ Median; gut: unter %1</translation>
     <message>
         <source>Process takes again</source>
         <translation>Aufnahmen neu verarbeiten</translation>
-    </message>
-    <message>
-        <source>Show the worst only</source>
-        <translation>Nur das Schlimmste zeigen</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n more</source>
-        <comment>findings</comment>
-        <translation>
-            <numerusform>%n weiteres</numerusform>
-            <numerusform>%n weitere</numerusform>
-        </translation>
     </message>
     <message>
         <source>Saved and in use. New takes are made with it; undo with %1.</source>
@@ -10935,6 +10946,14 @@ Drehen, beide Richtungen x3</translation>
     <message>
         <source>The folder is %1. Open it by hand, or install a file manager.</source>
         <translation>Der Ordner ist %1. Öffnen Sie ihn von Hand, oder installieren Sie einen Dateiverwalter.</translation>
+    </message>
+    <message>
+        <source>No program opened %1</source>
+        <translation>Kein Programm hat %1 geöffnet</translation>
+    </message>
+    <message>
+        <source>The file is %1. Open it by hand, or install a program for such files.</source>
+        <translation>Die Datei ist %1. Öffnen Sie sie von Hand, oder installieren Sie ein Programm für solche Dateien.</translation>
     </message>
     <message>
         <source>%1 is not there</source>

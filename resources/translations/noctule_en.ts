@@ -496,7 +496,7 @@
     </message>
 </context>
 <context>
-    <name>noctule::ui::ResultSide</name>
+    <name>noctule::ui::FindingList</name>
     <message numerus="yes">
         <source>%n more</source>
         <comment>findings</comment>

@@ -5,11 +5,12 @@
 #include <QPainterPath>
 
 #include "ui/style/theme.h"
+#include "ui/style/words.h"
 
 namespace noctule::ui {
 namespace {
 
-constexpr double kWidth = 110, kHeight = 16, kBar = 8, kWords = 14;  // pixels at 100 percent
+constexpr double kWidth = 126, kHeight = 16, kBar = 8, kWords = 22;  // pixels at 100 percent
 
 }  // namespace
 
@@ -41,9 +42,10 @@ void ConfidenceLegend::paintEvent(QPaintEvent*) {
     painter.drawRoundedRect(area, theme.px(2), theme.px(2));
     painter.setPen(theme.tokens().t2);
     painter.setFont(theme.font(TextRole::kCaption));
-    painter.drawText(QRect(0, 0, words, height()), Qt::AlignLeft | Qt::AlignVCenter, QStringLiteral("0"));
+    painter.drawText(QRect(0, 0, words, height()), Qt::AlignLeft | Qt::AlignVCenter,
+                     numberText(0, kDecimals));
     painter.drawText(QRect(width() - words, 0, words, height()), Qt::AlignRight | Qt::AlignVCenter,
-                     QStringLiteral("1"));
+                     numberText(1, kDecimals));
 }
 
 }  // namespace noctule::ui

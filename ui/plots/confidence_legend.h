@@ -12,6 +12,8 @@ public:
     explicit ConfidenceLegend(QWidget* parent = nullptr);
     QSize sizeHint() const override;
 
+    static constexpr int kDecimals = 1;  ///< of its ends and of the axis in the plots
+
 protected:
     void paintEvent(QPaintEvent* event) override;
 };

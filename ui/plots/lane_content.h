@@ -22,6 +22,7 @@ struct LaneUnit {
     QString suffix;     ///< with its space: " m"; degrees without: "°"
     int decimals = 2;   ///< of readouts
     bool on_ticks = false;
+    std::optional<int> tick_decimals = {};  ///< absent: as many as the step between ticks needs
 };
 
 enum class LanePen { kFirst, kSecond, kThird, kFourth, kX, kY, kZ, kReference };

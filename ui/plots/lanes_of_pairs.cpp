@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ui/models/part_names.h"
+#include "ui/plots/confidence_legend.h"
 #include "ui/plots/heard_switch.h"
 #include "ui/plots/lanes.h"
 
@@ -82,6 +83,7 @@ std::vector<LaneContent> confidenceLanes(const LaneSources& sources) {
     lane.title = laneWords(QT_TRANSLATE_NOOP("Lanes", "Confidence"));
     lane.empty = laneWords(QT_TRANSLATE_NOOP("Lanes", "Choose a pair in the heat map to see its confidence"));
     lane.range = {{-0.04, 1.04}};  // 0 and 1 are not cut in half
+    lane.unit.tick_decimals = ConfidenceLegend::kDecimals;
     const auto overview = sources.take.overview();
     const auto table = sources.take.ranges();
     if (!overview)

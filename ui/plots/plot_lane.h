@@ -30,6 +30,8 @@ public:
     QRect canvas() const;  ///< in the lane
     /// The values at the cursor.
     QString readout() const;
+    /// As beside a tick of the axis.
+    QString tickText(double value) const;
     std::pair<double, double> valueRange() const { return {value_low_, value_high_}; }
 
     struct Dot {
@@ -59,7 +61,6 @@ private:
     std::pair<double, double> seenValues() const;
     void paintTicks(QPainter& painter) const;
     int paintReadout(QPainter& painter, QRect row) const;
-    QString tickText(double value) const;
     std::optional<QString> readoutOf(const LaneCurve& curve, double t_s) const;
 
     LaneContent content_;

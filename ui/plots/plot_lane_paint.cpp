@@ -23,7 +23,8 @@ int decimalsOf(double step) {
 QString PlotLane::tickText(double value) const {
     const QList<double> major = ticks_.ticks(QwtScaleDiv::MajorTick);
     const double step = major.size() > 1 ? major[1] - major[0] : 1;
-    const QString text = numberText(std::abs(value) < step * 1e-9 ? 0 : value, decimalsOf(std::abs(step)));
+    const int decimals = content_.unit.tick_decimals.value_or(decimalsOf(std::abs(step)));
+    const QString text = numberText(std::abs(value) < step * 1e-9 ? 0 : value, decimals);
     return content_.unit.on_ticks ? text + content_.unit.suffix : text;
 }
 

@@ -125,7 +125,6 @@ HindranceWords aboutSource(const ReadinessProblem& problem, const SuitCheck& che
 
 HindranceWords aboutSupplies(const ReadinessProblem& problem, const SuitCheck& check) {
     const QString charge = percentText(problem.value / 100);
-    const auto left_s = check.batteryLeft_s();
     switch (problem.kind) {
         case ProblemKind::kBatteryEmpty:
             return {
@@ -134,9 +133,7 @@ HindranceWords aboutSupplies(const ReadinessProblem& problem, const SuitCheck& c
                     .arg(charge)};
         case ProblemKind::kBatteryLow:
             return {ReadinessText::tr("The battery is low"),
-                    left_s ? ReadinessText::tr("%1 is left, about %2. Charge it before a long take.")
-                                 .arg(charge, durationWords(*left_s))
-                           : ReadinessText::tr("%1 is left. Charge it before a long take.").arg(charge)};
+                    batteryLeft(problem.value, check.batteryLeft_s())};
         case ProblemKind::kStorageShort:
             return {ReadinessText::tr("The disk is almost full"),
                     ReadinessText::tr(
@@ -371,6 +368,13 @@ Tone toneOfStorage(double left_s) {
     return left_s < limits.storage_empty_s   ? Tone::kError
            : left_s < limits.storage_short_s ? Tone::kWarn
                                              : Tone::kOk;
+}
+
+QString batteryLeft(double percent, std::optional<double> left_s) {
+    const QString charge = percentText(percent / 100);
+    return left_s ? ReadinessText::tr("%1 is left, about %2. Charge it before a long take.")
+                        .arg(charge, durationWords(*left_s))
+                  : ReadinessText::tr("%1 is left. Charge it before a long take.").arg(charge);
 }
 
 QString durationWords(double seconds) {

@@ -44,6 +44,8 @@ Tone toneOf(BoardReadiness::State state);
 QString linkBrokenInShort();
 /// Beside what a silent suit told last: battery and climate. Other numbers of it are not known then.
 QString lastKnownInShort();
+/// "12 % is left, about 40 min. Charge it before a long take."
+QString batteryLeft(double percent, std::optional<double> left_s);
 /// "3 h 20 min", "45 min", "50 s"
 QString durationWords(double seconds);
 /// Of how long can still be recorded.

@@ -1,39 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/wizards/result_side.h"
 
-#include <QVBoxLayout>
-
 #include "ui/style/keys.h"
 #include "ui/style/words.h"
 #include "ui/views/review/process_takes_dialog.h"
 #include "ui/views/scaled_layout.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/label.h"
-#include "ui/widgets/problem_card.h"
 #include "ui/widgets/scroll_area.h"
-#include "ui/wizards/finding_card.h"
+#include "ui/wizards/finding_list.h"
 #include "ui/wizards/wizard_run.h"
 
 namespace noctule::ui {
-namespace {
-
-constexpr int kMostFindings = 3;
-
-}  // namespace
 
 ResultSide::ResultSide(Studio& studio, QWidget* parent)
     : QWidget(parent),
       studio_(studio),
-      findings_(nullptr),
+      findings_(new FindingList),
       words_(new Label({}, TextRole::kSecondary, Ink::kLabel)),
       save_(makeButton(ButtonKind::kPrimary, tr("Save and use"))),
       process_(makeButton(ButtonKind::kOutlined, tr("Process takes again"), "redo")),
       repeat_(makeButton(ButtonKind::kOutlined, tr("Repeat steps"), "loop")),
       leave_(makeButton(ButtonKind::kText, {})) {
     auto* column = makeColumn(this);
-    auto* content = new QWidget;
-    findings_ = makeColumn(content, {12, 16, 12, 12}, 8);
-    column->addWidget(new ScrollArea(content), 1);
+    column->addWidget(new ScrollArea(findings_), 1);
     auto* foot = new QWidget;
     auto* foot_column = makeColumn(foot, {12, 8, 12, 12}, 8);
     foot_column->addWidget(words_->wrapped());
@@ -59,33 +49,6 @@ void ResultSide::setRun(WizardRun* run) {
     refresh();
 }
 
-void ResultSide::showFindings() {
-    clearWidgets(*findings_);
-    int shown = 0;
-    for (const Finding& finding : run_->result()->document.findings) {
-        ProblemCard* card = findingCard(finding, toneOf(finding));
-        card->setVisible(shows_all_ || shown++ < kMostFindings);
-        findings_->addWidget(card);
-    }
-    const int hidden = static_cast<int>(run_->result()->document.findings.size()) - kMostFindings;
-    if (hidden > 0) {
-        auto* more = makeButton(ButtonKind::kText,
-                                shows_all_ ? tr("Show the worst only") : tr("%n more", "findings", hidden));
-        connect(
-            more, &QPushButton::clicked, this,
-            [this] {
-                shows_all_ = !shows_all_;
-                refresh();
-            },
-            Qt::QueuedConnection);
-        findings_->addWidget(more, 0, Qt::AlignLeft);
-    }
-    if (run_->result()->document.findings.empty())
-        findings_->addWidget(
-            (new Label(tr("No board and no source stands out."), TextRole::kBody, Ink::kLabel))->wrapped());
-    findings_->addStretch();
-}
-
 void ResultSide::setWayBack(const QString& words) {
     leave_->setText(words);
 }
@@ -93,7 +56,7 @@ void ResultSide::setWayBack(const QString& words) {
 void ResultSide::refresh() {
     if (!run_ || run_->phase() != WizardRun::Phase::kResult)
         return;
-    showFindings();
+    findings_->setFindings(run_->result()->document.findings);
     const bool checks = run_->task() == WizardTask::kCheck;
     const bool bad = run_->result()->grade() == Grade::kNotUsable;
     const QString undo = keysText(Keys::keyOf("window/undo", QKeySequence("Ctrl+Z")));

@@ -5,11 +5,10 @@
 
 #include <QWidget>
 
-class QVBoxLayout;
-
 namespace noctule::ui {
 
 class Button;
+class FindingList;
 class Label;
 class Studio;
 class WizardRun;
@@ -31,15 +30,13 @@ signals:
 
 private:
     void refresh();
-    void showFindings();
     void save();
 
     Studio& studio_;
     WizardRun* run_ = nullptr;
-    QVBoxLayout* findings_;
+    FindingList* findings_;
     Label* words_;
     Button *save_, *process_, *repeat_, *leave_;
-    bool shows_all_ = false;
 };
 
 }  // namespace noctule::ui

@@ -75,6 +75,15 @@ TEST(CalibrationDocuments, ACheckThatCouldNotBeMadeShowsNoNumbers) {
     EXPECT_EQ(checked.tables[0].rows.size(), 1u) << "of the board that was heard";
 }
 
+TEST(CalibrationDocuments, NumbersSayHowWellScaleAndZeroAreKnown) {
+    for (const CalibrationDocument& document :
+         {documentOf(AccelerometerReport{}), documentOf(GyroscopeReport{})}) {
+        ASSERT_GE(document.numbers.size(), 2u) << document.procedure;
+        EXPECT_EQ(document.numbers[0].what, "zero known to, worst axis") << document.procedure;
+        EXPECT_EQ(document.numbers[1].what, "scale known to, worst axis") << document.procedure;
+    }
+}
+
 TEST(HtmlReport, IsWellFormedCompleteAndStandsAlone) {
     const std::string page = htmlReport(shortReport());
     EXPECT_EQ(tagTrouble(page), "");

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 #include "core/body/actor.h"
 #include "core/math/rotation.h"
@@ -120,6 +121,34 @@ TEST(MotionCurve, AnglesDoNotJump) {
         for (size_t i = 1; i < value.size(); ++i)
             ASSERT_LT(std::abs(value[i] - value[i - 1]), 4);
         EXPECT_TRUE(curve.low.empty());  // this motion has no sigma
+    }
+}
+
+TEST(MotionCurve, AHingeStaysWithinHalfATurnAndBreaksThere) {
+    const TimedMotion motion = made([](double t_s, const Skeleton& skeleton, Pose& pose) {
+        set(skeleton, pose, "LeftLeg", axisAngle(Vector3d::UnitX(), 4 * t_s));
+        set(skeleton, pose, "LeftForeArm", axisAngle(-Vector3d::UnitY(), -8 * t_s));
+    });
+    for (const auto& [joint, rad_per_s, breaks] :
+         {std::tuple{"LeftLeg", 4, 1}, std::tuple{"LeftForeArm", -8, 3}}) {
+        const MotionCurve flexion = motionCurve(motion, {joint, "flexion"});
+        const Series& curve = flexion.value.series();
+        int broken = 0;
+        for (size_t i = 0; i < curve.value.size(); ++i) {
+            if (std::isnan(curve.value[i])) {
+                ++broken;
+                continue;
+            }
+            EXPECT_LE(std::abs(curve.value[i]), 180) << joint;
+            const double turned_deg = rad_per_s * curve.t_s[i] / kDegree;
+            EXPECT_NEAR(std::remainder(curve.value[i] - turned_deg, 360), 0, 0.01)
+                << joint << " at " << curve.t_s[i];
+            if (i > 0 && !std::isnan(curve.value[i - 1]))
+                EXPECT_LT(std::abs(curve.value[i] - curve.value[i - 1]), 10)
+                    << joint << " at " << curve.t_s[i];
+        }
+        EXPECT_EQ(broken, breaks) << joint;
+        EXPECT_EQ(curve.value.size(), 200u + static_cast<size_t>(breaks)) << joint;
     }
 }
 

@@ -186,6 +186,16 @@ TEST(GermanWords, NoKeyOpensTwoMenus) {
     }
 }
 
+TEST(GermanWords, APairIsNotSaidToBelongToItsBoard) {
+    std::map<QString, QString> german;
+    for (const Message& message : readTs(translationPath("noctule_de.ts")))
+        if (message.context == "PartNames")
+            german[message.source + '|' + message.comment] = message.forms.value(0);
+    const QString source = german["source %1 (%2)|source 8 (hat)"].arg(QString("8"), german["hat|"]);
+    EXPECT_EQ(german["%1 to %2|source 8 (hat) to left shin"].arg(source, german["left shin|"]),
+              "Quelle 8 (Hut) – linker Unterschenkel");
+}
+
 /// Buttons are infinitives; what the operator is asked to do is said to him.
 TEST(GermanWords, HintsOfExportAddressTheOperator) {
     static const QRegularExpression asks("^(Open one|Tick|Choose a|Wait|Export it)");

@@ -312,5 +312,17 @@ TEST_F(PlotPanelTest, LanesKeepTheirLeastHeight) {
     EXPECT_EQ(right, panel_->width() - Theme::get().px(PlotPanel::kRightExtent));
 }
 
+TEST_F(PlotPanelTest, TheAxisOfConfidenceSaysItsNumbersAlikeAtAnyHeight) {
+    openPair();
+    onlyTab(PlotTab::kConfidence);
+    ASSERT_TRUE(waitForCurves(1, 1));
+    PlotLane& lane = *panel_->lanes()[0];
+    for (const int height : {PlotLane::kLeastHeight, 400}) {
+        lane.resize(lane.width(), Theme::get().px(height));
+        EXPECT_EQ(lane.tickText(0), "0.0") << height;
+        EXPECT_EQ(lane.tickText(1), "1.0") << height;
+    }
+}
+
 }  // namespace
 }  // namespace noctule::ui

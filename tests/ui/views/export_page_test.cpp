@@ -203,6 +203,41 @@ TEST_F(ExportPageTest, AFileManagerThatFailsLateIsToldToo) {
     qputenv("PATH", path);
 }
 
+TEST_F(ExportPageTest, AWrittenFileIsOpenedFromItsCardAndATrialIsNot) {
+    const auto openers = [this] {
+        QList<Button*> found;
+        for (Button* button : page_->resultsPanel().findChildren<Button*>())
+            if (button->text() == "Open")
+                found += button;
+        return found;
+    };
+    page_->tryOneFrame();
+    ASSERT_TRUE(waitFor([this] { return page_->resultsPanel().cardCount() == 1 && jobsAreDone(); }));
+    EXPECT_TRUE(openers().isEmpty()) << "its file is deleted";
+    write();
+    ASSERT_EQ(openers().size(), 1);
+    const QString opened = outsideFile("opened");
+    QFile opener(outsideFile("xdg-open"));
+    ASSERT_TRUE(opener.open(QFile::WriteOnly));
+    opener.write(("#!/bin/sh\necho \"$1\" > '" + opened + "'\nexit 3\n").toLocal8Bit());
+    opener.close();
+    opener.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+    QStringList told;
+    QObject::connect(studio_.get(), &Studio::failed, [&](const QString& what) { told += what; });
+    const QByteArray path = qgetenv("PATH");
+    qputenv("PATH", outsideFile("").toLocal8Bit() + ":" + path);
+    openers().front()->click();
+    EXPECT_TRUE(waitFor([&] { return told == QStringList{"No program opened swing_001_120.bvh"}; }));
+    qputenv("PATH", path);
+    const auto given = readWholeFile(opened.toStdString());
+    ASSERT_TRUE(given);
+    EXPECT_EQ(std::string(given->begin(), given->end()), exported("swing_001_120.bvh") + "\n");
+    told.clear();
+    QFile::remove(QString::fromStdString(exported("swing_001_120.bvh")));
+    openers().front()->click();
+    EXPECT_EQ(told, QStringList{QString::fromStdString(exported("swing_001_120.bvh")) + " is not there"});
+}
+
 TEST_F(ExportPageTest, FeetAreOnTheFloorOnlyWhereTheFileHasThemThere) {
     ExportResults results;
     results.outcomes.push_back({"swing_001", outsideFile("swing.bvh").toStdString(), {}, {}, false});

@@ -72,6 +72,8 @@ ExportPage::ExportPage(ReviewContext& review, QWidget* parent)
     });
     connect(form_, &ExportForm::tryWanted, this, &ExportPage::tryOneFrame);
     connect(results_panel_, &ExportResultsPanel::saveWanted, this, &ExportPage::saveCheck);
+    connect(results_panel_, &ExportResultsPanel::openWanted, this,
+            [this](const QString& path) { openFile(review_.shared(), path); });
     connect(&review.take(), &TakeDocument::runsChanged, this, &ExportPage::refresh);
     connect(&review.time(), &TimeCursor::timeChanged, this, &ExportPage::followCursor);
     connect(&review.shared().shownBody(), &ShownBody::changed, this, &ExportPage::refresh);

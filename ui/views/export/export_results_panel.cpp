@@ -99,12 +99,13 @@ void ExportResultsPanel::clear() {
 
 void ExportResultsPanel::showCards(const ExportResults& latest) {
     clearWidgets(*cards_column_);
+    const Kept kept = latest_.empty() ? Kept::kNo : Kept::kYes;
     for (size_t i = 0; i < latest.outcomes.size(); ++i)
-        cards_column_->addWidget(makeCard(latest.outcomes[i], i == 0));
+        cards_column_->addWidget(makeCard(latest.outcomes[i], i == 0, kept));
     if (!earlier_.empty())
         cards_column_->addWidget(new SectionHeader(tr("Written before")));
     for (const ExportOutcome& outcome : earlier_)
-        cards_column_->addWidget(makeCard(outcome, false));
+        cards_column_->addWidget(makeCard(outcome, false, Kept::kYes));
 }
 
 void ExportResultsPanel::setResults(const ExportResults& results, bool is_trial) {
@@ -133,7 +134,7 @@ void ExportResultsPanel::setResults(const ExportResults& results, bool is_trial)
     save_->setVisible(!is_trial);
 }
 
-QWidget* ExportResultsPanel::makeCard(const ExportOutcome& outcome, bool in_full) const {
+QWidget* ExportResultsPanel::makeCard(const ExportOutcome& outcome, bool in_full, Kept kept) {
     const ExportCheck& check = outcome.check;
     const Tone tone = outcomeTone(outcome);
     auto* card = new Card;
@@ -173,6 +174,13 @@ QWidget* ExportResultsPanel::makeCard(const ExportOutcome& outcome, bool in_full
         addLine(coreWords(held), Ink::kLabel);
     for (const std::string& fault : check.faults)
         addLine(coreWords(fault), Ink::kError);
+    if (kept == Kept::kYes) {
+        auto* open = makeButton(ButtonKind::kText, tr("Open"));
+        open->setAccessibleName(tr("Open %1").arg(file));
+        connect(open, &QPushButton::clicked, this,
+                [this, path = QString::fromStdString(outcome.path)] { emit openWanted(path); });
+        addRow(column, 0, {12, 0, 0, 0})->addWidget(open, 0, Qt::AlignLeft);
+    }
     return card;
 }
 

@@ -31,9 +31,11 @@ public:
 
 signals:
     void saveWanted();
+    void openWanted(const QString& path);
 
 private:
-    QWidget* makeCard(const ExportOutcome& outcome, bool in_full) const;
+    enum class Kept { kYes, kNo };
+    QWidget* makeCard(const ExportOutcome& outcome, bool in_full, Kept kept);
     void showCards(const ExportResults& latest);
 
     EmptyState* empty_;

@@ -29,6 +29,8 @@ public:
     explicit ReportPanel(ReviewContext& review, QWidget* parent = nullptr);
 
     JointTable& joints() { return *joints_; }
+    /// The first few as cards; how many more the full report has.
+    void showProblems(const std::vector<ProblemWords>& problems);
 
 signals:
     void fullReportWanted();
@@ -40,7 +42,6 @@ private:
     QWidget* makeNumbers();
     void refresh();
     void showVerdict(const TakeVerdict& verdict);
-    void showProblems(const std::vector<ProblemWords>& problems);
     void showFeet();
     void goTo(const ProblemWords& problem);
 

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sentences that operators asked for, where they are said.
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QLabel>
+
+#include "tests/ui/views/reviewed_session.h"
+#include "ui/views/export/export_form.h"
+#include "ui/views/performer/performer_editor.h"
+#include "ui/views/performer/performer_list_panel.h"
+#include "ui/views/readiness_words.h"
+#include "ui/views/review/reprocess_dialog.h"
+#include "ui/wizards/wizard_task.h"
+
+namespace noctule::ui {
+namespace {
+
+using SentencesTest = test::ReviewedSession;
+
+QStringList saidBy(const QWidget& widget) {
+    QStringList said;
+    for (const auto* label : widget.findChildren<QLabel*>())
+        said += label->text();
+    for (const auto* button : widget.findChildren<QAbstractButton*>())
+        said += button->text();
+    for (const auto* box : widget.findChildren<QComboBox*>())
+        for (int item = 0; item < box->count(); ++item)
+            said += box->itemText(item);
+    return said;
+}
+
+TEST_F(SentencesTest, AreSaidWhereTheyAreNeeded) {
+    openTake("swing_001");
+    const ReprocessDialog dialog(*studio_, *studio_->take().overview());
+    const ExportForm form(*studio_);
+    PerformerEditor editor(studio_->session());
+    const PerformerListPanel performers(editor);
+    editor.add();
+    const auto number = studio_->session().session().performers.size();
+    ASSERT_EQ(editor.index() + 1, static_cast<int>(number));
+    const struct {
+        QStringList said;
+        QString sentence;
+    } table[] = {
+        {saidBy(performers), QString("Put the suit on Performer %1").arg(number)},
+        {saidBy(form), "Common (Hips, Spine, LeftArm)"},
+        {saidBy(dialog), "From another system"},
+        {saidBy(dialog), "Its hips are used."},
+        {wordsOf(WizardTask::kAccelerometers).needs,
+         "A level table (use a spirit level), and a square block to lean the plate on"},
+        {{batteryLeft(12, 45 * 60)},
+         QString("12\u00A0% is left, about 45 min. Charge it before a long take.")},
+        {{batteryLeft(12, {})}, QString("12\u00A0% is left. Charge it before a long take.")},
+    };
+    for (const auto& [said, sentence] : table)
+        EXPECT_TRUE(said.contains(sentence))
+            << sentence.toStdString() << " in " << said.join(" | ").toStdString();
+}
+
+}  // namespace
+}  // namespace noctule::ui
