@@ -214,6 +214,23 @@ TEST_F(NoticesTest, AQuestionIsNoSuccess) {
     EXPECT_NE(stripe.name(), Theme::get().tokens().ok.name());
 }
 
+TEST_F(NoticesTest, TheTourIsOfferedUntilItIsStartedOrClosed) {
+    const QStringList offer{"New to Noctule?"};
+    window_->offerTour();
+    ASSERT_EQ(told(), offer);
+    restart();
+    window_->offerTour();
+    ASSERT_EQ(told(), offer) << "nobody has answered";
+    emit window_->notices().findChild<ProblemCard*>()->closed();
+    EXPECT_EQ(told(), QStringList());
+    window_->offerTour();
+    EXPECT_EQ(told(), QStringList());
+    studio_->settings().remove("tour/offered");
+    window_->showTour();
+    window_->offerTour();
+    EXPECT_EQ(told(), QStringList()) << "it has begun";
+}
+
 TEST_F(NoticesTest, NothingOfOneSessionIsToldInAnother) {
     ASSERT_TRUE(studio_->session().create(home() + "-first", "first"));
     for (const About about : {About::kSession, About::kTakes, About::kCapture, About::kSuit, About::kTake,
