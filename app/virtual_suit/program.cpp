@@ -33,7 +33,7 @@ int failed(const Error& error) {
     return static_cast<int>(error.kind);
 }
 
-/// Addresses, for people and for scripts that wait for them.
+/// Addresses, and that the boards sit otherwise, for people and for programs that wait for them.
 void printLine(const std::string& text) {
     std::puts(text.c_str());
     std::fflush(stdout);
@@ -166,7 +166,10 @@ private:
             return command.error();
         if (command->kind == ControlKind::kQuit)
             QTimer::singleShot(0, QCoreApplication::instance(), [] { QCoreApplication::exit(0); });
-        return box_.execute(*command);
+        const Status done = box_.execute(*command);
+        if (done && (command->kind == ControlKind::kSwap || command->kind == ControlKind::kSlip))
+            printLine("worn otherwise: " + line);
+        return done;
     }
 
     const Options& options_;

@@ -8650,6 +8650,15 @@ Median; gut: unter %1</translation>
         <translation>Virtuellen Anzug ausprobieren</translation>
     </message>
     <message>
+        <source>Save what can be read</source>
+        <translation>Lesbares speichern</translation>
+    </message>
+    <message>
+        <source>%1 is damaged: %2 What can be read goes into a new take.</source>
+        <comment>take, why</comment>
+        <translation>%1 ist beschädigt: %2 Was sich lesen lässt, kommt in eine neue Aufnahme.</translation>
+    </message>
+    <message>
         <source>Report</source>
         <translation>Bericht</translation>
     </message>

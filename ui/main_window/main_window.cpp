@@ -7,6 +7,7 @@
 #include <QToolBar>
 
 #include "ui/main_window/jobs_panel.h"
+#include "ui/main_window/noticed_page.h"
 #include "ui/main_window/pages.h"
 #include "ui/main_window/panel_tab.h"
 #include "ui/main_window/panel_walk.h"
@@ -114,10 +115,7 @@ QWidget* MainWindow::makeCentre() {
     notices_ = new Notices;
     session_notices_ = new SessionNotices(studio_, *notices_, this);
     stack_ = new PageStack;
-    middle_ = new QWidget;
-    auto* column = makeColumn(middle_);
-    column->addWidget(notices_);
-    column->addWidget(stack_, 1);
+    middle_ = new NoticedPage(notices_, stack_);
     auto* centre = new Backdrop;
     auto* row = makeRow(centre);
     row->addWidget(&docks_->leftTab());

@@ -186,7 +186,8 @@ void MainWindow::offerTour() {
                 "under Help."),
              tr("Start the tour"),
              [this] { showTour(); },
-             {}});
+             {},
+             [this] { Tour::noteAnswer(studio_.settings()); }});
 }
 
 void MainWindow::showShortcuts() {
@@ -202,6 +203,7 @@ void MainWindow::showShortcuts() {
 }
 
 void MainWindow::showTour() {
+    Tour::noteAnswer(studio_.settings());
     auto* tour = new Tour(*this, *top_bar_);
     tour->start();
 }

@@ -39,7 +39,11 @@ void Notices::add(const Notice& notice) {
     remove(topic);
     auto* card = new ProblemCard(notice.tone, notice.title, notice.text);
     card->setClosable(true);
-    connect(card, &ProblemCard::closed, this, [this, topic] { remove(topic); });
+    connect(card, &ProblemCard::closed, this, [this, topic, closed = notice.closed] {
+        remove(topic);
+        if (closed)
+            closed();
+    });
     if (!notice.action.isEmpty())
         connect(card->addAction(notice.action), &QPushButton::clicked, this, [this, topic, act = notice.act] {
             remove(topic);

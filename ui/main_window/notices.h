@@ -19,7 +19,8 @@ struct Notice {
     QString title, text;
     QString action;  ///< empty: none
     std::function<void()> act;
-    QString topic;  ///< a later notice of the same topic replaces this one; empty: the title
+    QString topic;                   ///< a later notice of the same topic replaces this one; empty: the title
+    std::function<void()> closed{};  ///< the operator closed it without the action
 };
 
 class Notices : public QWidget {

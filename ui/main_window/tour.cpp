@@ -58,9 +58,11 @@ CardWords wordsOf(int card) {
 }  // namespace
 
 bool Tour::isDue(QSettings& settings) {
-    const bool due = !settings.value(kSeen, false).toBool();
+    return !settings.value(kSeen, false).toBool();
+}
+
+void Tour::noteAnswer(QSettings& settings) {
     settings.setValue(kSeen, true);
-    return due;
 }
 
 Tour::Tour(MainWindow& window, TopBar& bar) : QFrame(&window), window_(window), bar_(bar) {

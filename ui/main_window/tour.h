@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Five short cards, one under each step of the top bar. It can be left at any time and never comes by itself
-// twice.
+// again once its offer was answered.
 #pragma once
 
 #include <QFrame>
@@ -24,8 +24,9 @@ public:
     void start();
     int card() const { return card_; }
 
-    /// True once, on the very first start of the program.
+    /// True until the offer was answered: started or closed.
     static bool isDue(QSettings& settings);
+    static void noteAnswer(QSettings& settings);
 
 protected:
     void paintEvent(QPaintEvent* event) override;

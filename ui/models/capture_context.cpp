@@ -65,11 +65,18 @@ void CaptureContext::connectSuits() {
 }
 
 void CaptureContext::connectVirtualSuits() {
-    for (VirtualSuit* suit : {&virtual_suit_, &second_virtual_suit_})
+    for (VirtualSuit* suit : {&virtual_suit_, &second_virtual_suit_}) {
         QObject::connect(suit, &VirtualSuit::failed, &here_,
                          [this](const QString& what, const QString& remedy) {
                              emit shared_.failed(what, remedy, About::kCapture);
                          });
+        QObject::connect(suit, &VirtualSuit::wornOtherwise, &here_, [this, suit] {
+            if (SuitInUse* worn = suits_.at(suit->address())) {
+                worn->suit.noteWornOtherwise();
+                suits_.setChecked(*worn, {});
+            }
+        });
+    }
     QObject::connect(&virtual_suit_, &VirtualSuit::started, &here_, [this] {
         if (virtual_suit_.role() == VirtualSuit::Role::kAlone && !suits_.areSeveral())
             return suit().connectTo(virtual_suit_.address(), virtual_suit_.known());

@@ -245,6 +245,11 @@ void LiveSuit::setCalibration(std::optional<Calibration> calibration) {
     emit wearingChanged();
 }
 
+void LiveSuit::noteWornOtherwise() {
+    known_.is_exact = false;
+    emit wearingChanged();
+}
+
 void LiveSuit::takeOwnCalibration() {
     setCalibration(own_);
     is_own_ = true;

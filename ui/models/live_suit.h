@@ -101,8 +101,10 @@ public:
     /// Gets every pose at once, on the thread that makes it, with the time at which its data came
     /// (std::chrono::steady_clock, ns). Null: nobody. When this returns the earlier one is called no more.
     void setPoseListener(PoseListener listener);
-    /// The calibration came with connectTo(): nothing of it can have moved.
-    bool isKnownExactly() const { return known_.calibration && is_own_; }
+    /// The calibration came with connectTo(), and nothing has moved since.
+    bool isKnownExactly() const { return known_.calibration && is_own_ && known_.is_exact; }
+    /// Boards slipped or were exchanged: a check may find something.
+    void noteWornOtherwise();
     const KnownWearing& known() const { return known_; }
 
     /// Begins a take in the session's folder; without a session one is made by date. In words why not, else

@@ -21,6 +21,7 @@ ReviewContext::ReviewContext(SharedContext& shared)
       contacts_(changes_, take_, time_) {
     SessionModel& session = shared.session();
     QObject::connect(&session, &SessionModel::currentTakeChanged, &here_, [this](int index) {
+        unreadable_ = {};
         openChosenTake(index);
         tellTorn(index);
     });
@@ -45,6 +46,11 @@ ReviewContext::ReviewContext(SharedContext& shared)
     QObject::connect(&take_, &TakeDocument::opened, &here_, [this] { followTake(); });
     QObject::connect(&take_, &TakeDocument::runsChanged, &here_, [this] { keepShownResult(); });
     QObject::connect(&take_, &TakeDocument::torn, &shared, &SharedContext::tornTake);
+    QObject::connect(&shared, &SharedContext::tornTake, &here_,
+                     [this](const QString& path, const QString& why) {
+                         if (!take_.isOpen())
+                             unreadable_ = {path, why};
+                     });
 }
 
 /// A damaged take of the session is not opened, so nothing else says why nothing is shown.
@@ -133,6 +139,8 @@ void ReviewContext::saveReadable(const QString& path) {
 
 /// What went wrong with another take is not of this one.
 void ReviewContext::followTake() {
+    if (take_.isOpen())
+        unreadable_ = {};
     if (std::exchange(seen_path_, take_.path()) == take_.path())
         return;
     emit shared_.settled(About::kTake);

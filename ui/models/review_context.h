@@ -31,6 +31,11 @@ public:
     /// Of a torn take; a job. One of the session is replaced and kept in the trash, of any other a copy is
     /// made beside it and opened.
     void saveReadable(const QString& path);
+    /// The chosen take that cannot be opened since its file is torn, and why, as a sentence; empty: none.
+    struct Unreadable {
+        QString path, why;
+    };
+    const Unreadable& unreadable() const { return unreadable_; }
 
 private:
     void showLoose(const QString& path);
@@ -47,6 +52,7 @@ private:
     TakeChanges changes_;
     MarkerEditor markers_;
     ContactEditor contacts_;
+    Unreadable unreadable_;
     QString seen_path_;  ///< of the take that was opened last
     QObject here_;       ///< receives what is told; gone before all others
 };

@@ -175,12 +175,19 @@ void VirtualSuit::hear() {
             address_ = line.mid(8);
         else if (line.startsWith("control: "))
             control_ = line.mid(9);
+        else if (line.startsWith("worn otherwise: "))
+            noteWornOtherwise();
     }
     // The control port is the last that it opens.
     if (state_ != State::kStarting || address_.isEmpty() || control_.isEmpty())
         return;
     setState(State::kOn);
     emit started();
+}
+
+void VirtualSuit::noteWornOtherwise() {
+    known_.is_exact = false;
+    emit wornOtherwise();
 }
 
 void VirtualSuit::stop() {

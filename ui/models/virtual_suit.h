@@ -63,6 +63,8 @@ public:
 signals:
     void changed();
     void started();
+    /// Boards slipped or were exchanged: what known() says of their places holds no more.
+    void wornOtherwise();
     /// It ended by itself, or did not begin.
     void failed(const QString& what, const QString& remedy);
 
@@ -70,6 +72,7 @@ private:
     void setState(State state);
     void launch(const QString& take);
     void hear();
+    void noteWornOtherwise();
     void ended();
 
     Jobs& jobs_;

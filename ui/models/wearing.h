@@ -24,6 +24,7 @@ struct KnownWearing {
     std::optional<Calibration> calibration;
     std::optional<Actor> actor;  ///< absent: the performer's
     double rest_s = 0;           ///< each stream begins in the rest pose and holds it so long
+    bool is_exact = true;        ///< boards have neither slipped nor been exchanged since
 };
 
 /// `performer` may be null. The performer's own suit is taken where all its parts are those of the box, else

@@ -214,6 +214,57 @@ TEST_F(NoticesTest, AQuestionIsNoSuccess) {
     EXPECT_NE(stripe.name(), Theme::get().tokens().ok.name());
 }
 
+TEST_F(NoticesTest, TheTourIsOfferedUntilItIsStartedOrClosed) {
+    const QStringList offer{"New to Noctule?"};
+    window_->offerTour();
+    ASSERT_EQ(told(), offer);
+    restart();
+    window_->offerTour();
+    ASSERT_EQ(told(), offer) << "nobody has answered";
+    emit window_->notices().findChild<ProblemCard*>()->closed();
+    EXPECT_EQ(told(), QStringList());
+    window_->offerTour();
+    EXPECT_EQ(told(), QStringList());
+    studio_->settings().remove("tour/offered");
+    window_->showTour();
+    window_->offerTour();
+    EXPECT_EQ(told(), QStringList()) << "it has begun";
+}
+
+/// Only a mouse that is over the page could miss what moves.
+TEST_F(NoticesTest, NothingOfThePageMovesUnderTheMouse) {
+    QWidget& page = window_->page(Step::kStart);
+    QWidget* stack = page.parentWidget();
+    const auto mouse = [stack](QEvent::Type type) {
+        QEvent event(type);
+        QCoreApplication::sendEvent(stack, &event);
+    };
+    const auto top = [&] { return page.mapTo(window_.get(), QPoint()).y(); };
+    const auto overlap = [&] {
+        const Notices& notices = window_->notices();
+        return QRect(notices.mapTo(window_.get(), QPoint()), notices.size())
+            .intersects(QRect(page.mapTo(window_.get(), QPoint()), page.size()));
+    };
+    mouse(QEvent::Leave);
+    QTest::qWait(0);
+    const int alone = top();
+    mouse(QEvent::Enter);
+    emit studio_->failed("One", "Do something", About::kSession);
+    QTest::qWait(50);
+    EXPECT_EQ(top(), alone);
+    EXPECT_TRUE(window_->notices().isVisible());
+    EXPECT_GT(window_->notices().height(), 0);
+    mouse(QEvent::Leave);
+    EXPECT_TRUE(waitFor([&] { return top() > alone && !overlap(); }));
+    const int below = top();
+    mouse(QEvent::Enter);
+    window_->notices().remove("One");
+    QTest::qWait(50);
+    EXPECT_EQ(top(), below);
+    mouse(QEvent::Leave);
+    EXPECT_TRUE(waitFor([&] { return top() == alone; }));
+}
+
 TEST_F(NoticesTest, NothingOfOneSessionIsToldInAnother) {
     ASSERT_TRUE(studio_->session().create(home() + "-first", "first"));
     for (const About about : {About::kSession, About::kTakes, About::kCapture, About::kSuit, About::kTake,

@@ -13,12 +13,14 @@
 #include "core/suit/default_suit.h"
 #include "tests/ui/main_window/studio_fixture.h"
 #include "ui/models/session_marker.h"
+#include "ui/views/review/review_page.h"
 #include "ui/views/session/new_session_dialog.h"
 #include "ui/views/session/recent_sessions.h"
 #include "ui/views/session/session_list.h"
 #include "ui/views/session/start_page.h"
 #include "ui/views/take_list.h"
 #include "ui/widgets/button.h"
+#include "ui/widgets/empty_state.h"
 
 namespace noctule::ui {
 namespace {
@@ -261,6 +263,25 @@ TEST_F(SessionInWindow, ADamagedTakeOfASessionOffersTheSame) {
     EXPECT_EQ(window_->notices().titles(), QStringList{"torn_001 is damaged"});
     EXPECT_FALSE(isTold("--batch"));
     EXPECT_TRUE(noticeButton("Save what can be read"));
+}
+
+TEST_F(SessionInWindow, ReviewOffersToSaveATakeThatCannotBeOpened) {
+    const QString path = folder_.filePath("torn.noctule");
+    ASSERT_TRUE(test::makeQuickTake(path.toStdString(), {}));
+    tear(path);
+    window_->open(path);
+    ASSERT_TRUE(waitFor([this] { return window_->notices().count() > 0; }));
+    window_->goTo(Step::kReview);
+    EmptyState& empty = dynamic_cast<ReviewPage&>(window_->page(Step::kReview)).unreadable();
+    ASSERT_TRUE(empty.isVisible());
+    const QString sentence = empty.findChild<QLabel*>()->text();
+    EXPECT_TRUE(sentence.startsWith("torn is damaged: ")) << sentence.toStdString();
+    EXPECT_EQ(empty.button()->text(), "Save what can be read");
+    QTest::mouseClick(empty.button(), Qt::LeftButton);
+    ASSERT_TRUE(waitFor([this] { return studio_->take().isOpen(); }));
+    EXPECT_FALSE(empty.isVisible());
+    studio_->take().close();
+    EXPECT_FALSE(empty.isVisible()) << "it is not the damaged one that is missing now";
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include <QSettings>
 #include <QSignalSpy>
+#include <QTcpSocket>
 #include <algorithm>
 
 #include "tests/support/take_files.h"
@@ -68,6 +69,27 @@ TEST_F(VirtualSuitTest, ConnectsWithWhatItsTakeKnows) {
     ASSERT_TRUE(connectIt()) << "again";
     EXPECT_EQ(made_, 1) << "the take is used again";
     EXPECT_TRUE(studio_->finder().suits().empty()) << "a program, not a box to remember";
+}
+
+TEST_F(VirtualSuitTest, ExchangedBoardsEndThatItIsKnownExactly) {
+    ASSERT_TRUE(connectIt());
+    ASSERT_TRUE(studio_->suit().isKnownExactly());
+    studio_->setChecked(CheckedSuit{QDateTime::currentDateTime(), true});
+    const QString control = virtualSuit().controlAddress();
+    QTcpSocket socket;
+    socket.connectToHost(control.section(':', 0, 0), control.section(':', 1).toUShort());
+    ASSERT_TRUE(socket.waitForConnected());
+    socket.write("swap 1 2\n");
+    EXPECT_TRUE(waitFor([this] { return !studio_->suit().isKnownExactly(); }));
+    EXPECT_FALSE(studio_->checked()) << "a check from before the exchange says nothing";
+    EXPECT_TRUE(waitFor([this] {
+        const auto& problems = studio_->check().readiness().problems;
+        return std::ranges::any_of(problems, [](const ReadinessProblem& problem) {
+            return problem.kind == ProblemKind::kNotChecked;
+        });
+    })) << "the check is offered";
+    studio_->suit().takeOwnCalibration();
+    EXPECT_FALSE(studio_->suit().isKnownExactly()) << "the boards are still exchanged";
 }
 
 TEST_F(VirtualSuitTest, StoppingItEndsATakeIntact) {

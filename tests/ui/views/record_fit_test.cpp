@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What step Record says of the calibration while it records, against a box that plays the tiny take over TCP.
 #include "tests/ui/views/record_fixture.h"
+#include "ui/scene/scene_canvas.h"
+#include "ui/scene/scene_view.h"
 #include "ui/views/record/record_problems.h"
 #include "ui/views/record/record_readiness.h"
 #include "ui/widgets/button.h"
@@ -62,6 +64,12 @@ TEST_F(RecordFit, PartOfACalibrationIsNotRecordingWell) {
     EXPECT_TRUE(titles().contains("Without calibration of " + lack)) << titles().join(", ").toStdString();
     EXPECT_TRUE(offers("Calibrate"));
     EXPECT_EQ(page_->readiness().problems().worst(), Tone::kWarn);
+    EXPECT_FALSE(studio_->suit().canMoveBody());
+    EXPECT_TRUE(studio_->suit().frame());
+    const QString seen = page_->center().scene().descriptionInWords();
+    const QString missing = SceneCanvas::missing();  // without OpenGL that is said
+    EXPECT_TRUE(seen.startsWith(missing.isEmpty() ? "The live body needs a calibration." : missing))
+        << seen.toStdString();
     stop();
 }
 

@@ -75,7 +75,7 @@ protected:
 
     void connectRig(const QStringList& options, const QString& speed = "2") {
         rig_ =
-            std::make_unique<RigProgram>(QStringList{"--suit", QString::fromStdString(smallSuit(folder_, 4)),
+            std::make_unique<RigProgram>(QStringList{"--suit", QString::fromStdString(smallSuit(folder_, boards_)),
                                                      "--speed", speed, "--seed", "3"} +
                                          options);
         ASSERT_TRUE(rig_->isThere());
@@ -107,7 +107,7 @@ protected:
         QProcess program;
         program.start(NOCTULE_PROGRAM,
                       QStringList{"--batch", "simulate", "--suit",
-                                  QString::fromStdString(smallSuit(folder_, 4)), "--seed", "3", "--level",
+                                  QString::fromStdString(smallSuit(folder_, boards_)), "--seed", "3", "--level",
                                   "readings", "--out", folder_.filePath("simulated.noctule")} +
                           options);
         ASSERT_TRUE(program.waitForFinished(-1));
@@ -175,6 +175,7 @@ protected:
     std::unique_ptr<RigProgram> rig_;
     Calibration in_force_;
     int clicks_ = 0;
+    int boards_ = 4;  ///< of the small suit
 };
 
 }  // namespace noctule::ui::test

@@ -102,6 +102,18 @@ TEST_F(WizardFlow, RestPose) {
     EXPECT_EQ(steps.at(0).at(0).value<Step>(), Step::kRecord);
 }
 
+TEST_F(WizardFlow, TheCheckNamesExchangedBoards) {
+    boards_ = 8;
+    connectRig({"--rig", "rest"}, "1");
+    useLaboratorysCalibration({"--rig", "rest"});
+    ASSERT_EQ(rig_->tell("swap l_forearm l_hand"), "ok");
+    open(WizardTask::kCheck);
+    ASSERT_TRUE(reach(Phase::kResult)) << heard();
+    EXPECT_NE(whatWasFound().find("Boards 7 (left forearm) and 8 (left hand) seem to be exchanged"),
+              std::string::npos)
+        << whatWasFound();
+}
+
 TEST_F(WizardFlow, Movement) {
     const QString motion = folder_.filePath("guided.bvh");
     ASSERT_TRUE(

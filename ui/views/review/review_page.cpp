@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/review/review_page.h"
 
+#include <QFileInfo>
 #include <QKeyEvent>
 #include <QScrollArea>
 #include <QStackedWidget>
@@ -31,11 +32,12 @@ ReviewPage::ReviewPage(Studio& studio, QWidget* parent)
       empty_(new EmptyState(
           tr("A take will be seen here: its body, the confidence of its ranges and its curves."),
           tr("Try the virtual suit"), "body")),
+      unreadable_(new EmptyState({}, tr("Save what can be read"))),
       stack_(new QStackedWidget),
       actions_(nullptr) {
     makeColumn(this)->addWidget(stack_);
-    for (QWidget* content :
-         {static_cast<QWidget*>(center_), static_cast<QWidget*>(report_view_), static_cast<QWidget*>(empty_)})
+    for (QWidget* content : {static_cast<QWidget*>(center_), static_cast<QWidget*>(report_view_),
+                             static_cast<QWidget*>(empty_), static_cast<QWidget*>(unreadable_)})
         stack_->addWidget(content);
     setFocusPolicy(Qt::ClickFocus);
     sidebar_->hide();
@@ -56,7 +58,11 @@ ReviewPage::ReviewPage(Studio& studio, QWidget* parent)
     connect(report_panel_, &ReportPanel::exportWanted, this, [this] { studio_.goTo(Step::kExport); });
     connect(report_view_, &ReportView::closed, this, &ReviewPage::closeFullReport);
     connect(empty_, &EmptyState::activated, this, [this] { studio_.tryVirtualSuit(); });
+    connect(unreadable_, &EmptyState::activated, this,
+            [this] { studio_.saveReadable(studio_.unreadable().path); });
     connect(&studio.take(), &TakeDocument::opened, this, &ReviewPage::refresh);
+    connect(&studio, &Studio::tornTake, this, &ReviewPage::refresh);
+    connect(&studio.session(), &SessionModel::currentTakeChanged, this, &ReviewPage::refresh);
     connect(&studio.take(), &TakeDocument::runsChanged, this, &ReviewPage::compareWithEarlier);
     connect(&studio.session(), &SessionModel::opened, this, &ReviewPage::tellTitles);
     connect(&studio.session(), &SessionModel::changed, this, &ReviewPage::tellTitles);
@@ -118,7 +124,17 @@ void ReviewPage::refresh() {
     const bool stays =
         is_open && showsFullReport() && studio_.take().shownRun() >= 0 && sender() != report_view_;
     if (!stays)
-        stack_->setCurrentWidget(is_open ? static_cast<QWidget*>(center_) : empty_);
+        stack_->setCurrentWidget(is_open ? center_ : emptyContent());
+}
+
+QWidget* ReviewPage::emptyContent() {
+    const auto& [path, why] = studio_.unreadable();
+    if (path.isEmpty())
+        return empty_;
+    unreadable_->setSentence(
+        tr("%1 is damaged: %2 What can be read goes into a new take.", "take, why")
+            .arg(QFileInfo(path).completeBaseName(), why.endsWith('.') ? why : why + '.'));
+    return unreadable_;
 }
 
 void ReviewPage::reprocess() {

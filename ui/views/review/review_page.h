@@ -40,6 +40,8 @@ public:
     ReportPanel& reportPanel();
     ReportView& reportView() { return *report_view_; }
     bool showsFullReport() const;
+    /// Stands in the centre while the chosen take cannot be opened.
+    EmptyState& unreadable() { return *unreadable_; }
 
 public slots:
     void openFullReport();
@@ -59,6 +61,7 @@ private:
     void askHow(ReprocessDialog& dialog);
     bool handleKey(const QKeyEvent& event);
     void refresh();
+    QWidget* emptyContent();
     void tellTitles();
     void compareWithEarlier();
 
@@ -68,7 +71,7 @@ private:
     QPointer<ReportPanel> report_panel_;
     ReviewCenter* center_;
     ReportView* report_view_;
-    EmptyState* empty_;
+    EmptyState *empty_, *unreadable_;
     QStackedWidget* stack_;
     ReviewActions* actions_;
     /// When a processing began.
