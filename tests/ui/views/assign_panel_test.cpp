@@ -24,7 +24,7 @@ TEST(AssignPanel, GoesOnListeningWhenTheStreamBeginsAnew) {
     Theme::install(*qApp);
     QSettings().clear();
     const noctule::test::Folder home;
-    Studio studio{StudioParts{}};
+    Studio studio{StudioParts{"test", [] { return std::string(); }, {}, {}}};
     studio.settings().setValue("folders/suits", QString::fromStdString(home.file("suits")));
     ASSERT_TRUE(studio.session().create(QString::fromStdString(home.file("s")), "Test"));
     AssignPanel panel(studio);

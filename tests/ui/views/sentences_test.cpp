@@ -10,7 +10,6 @@
 #include "ui/views/performer/performer_list_panel.h"
 #include "ui/views/readiness_words.h"
 #include "ui/views/review/reprocess_dialog.h"
-#include "ui/wizards/wizard_task.h"
 
 namespace noctule::ui {
 namespace {
@@ -46,8 +45,6 @@ TEST_F(SentencesTest, AreSaidWhereTheyAreNeeded) {
         {saidBy(form), "Common (Hips, Spine, LeftArm)"},
         {saidBy(dialog), "From another system"},
         {saidBy(dialog), "Its hips are used."},
-        {wordsOf(WizardTask::kAccelerometers).needs,
-         "A level table (use a spirit level), and a square block to lean the plate on"},
         {{batteryLeft(12, 45 * 60)},
          QString("12\u00A0% is left, about 45 min. Charge it before a long take.")},
         {{batteryLeft(12, {})}, QString("12\u00A0% is left. Charge it before a long take.")},

@@ -25,6 +25,12 @@ TEST_F(WizardWordsTest, TheHeadlineSaysWhatToDo) {
     }
 }
 
+TEST_F(WizardWordsTest, ALevelTableIsFoundWithASpiritLevel) {
+    EXPECT_TRUE(
+        wordsOf(WizardTask::kAccelerometers)
+            .needs.contains("A level table (use a spirit level), and a square block to lean the plate on"));
+}
+
 TEST_F(WizardWordsTest, WhatCountsByItselfSaysThatItDoesAfterBegin) {
     for (const WizardTask task : {WizardTask::kRestPose, WizardTask::kCheck})
         EXPECT_TRUE(wordsOf(task).in_any_order.startsWith("After Begin it counts by itself"))
