@@ -4201,6 +4201,25 @@
     </message>
 </context>
 <context>
+    <name>noctule::ui::FindingList</name>
+    <message>
+        <source>No board and no source stands out.</source>
+        <translation>Keine Platine und keine Quelle fällt auf.</translation>
+    </message>
+    <message>
+        <source>Show the worst only</source>
+        <translation>Nur das Schlimmste zeigen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <comment>findings</comment>
+        <translation>
+            <numerusform>%n weiteres</numerusform>
+            <numerusform>%n weitere</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::FitWords</name>
     <message>
         <source>the source offsets</source>
@@ -8465,25 +8484,6 @@ Median; gut: unter %1</translation>
     <message>
         <source>%1: all suits are processed together, with the ranges between them, where they heard each other.</source>
         <translation>%1: Alle Anzüge werden gemeinsam verarbeitet, mit den Abständen zwischen ihnen, wo sie einander hörten.</translation>
-    </message>
-</context>
-<context>
-    <name>noctule::ui::FindingList</name>
-    <message>
-        <source>No board and no source stands out.</source>
-        <translation>Keine Platine und keine Quelle fällt auf.</translation>
-    </message>
-    <message>
-        <source>Show the worst only</source>
-        <translation>Nur das Schlimmste zeigen</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n more</source>
-        <comment>findings</comment>
-        <translation>
-            <numerusform>%n weiteres</numerusform>
-            <numerusform>%n weitere</numerusform>
-        </translation>
     </message>
 </context>
 <context>

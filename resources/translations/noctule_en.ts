@@ -76,6 +76,16 @@
     </message>
 </context>
 <context>
+    <name>noctule::ui::AssignPanel</name>
+    <message numerus="yes">
+        <source>Listening for %n s.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>noctule::ui::BoardCard</name>
     <message numerus="yes">
         <source>%1 of %2 frames a second, %n bit error(s)</source>
@@ -204,6 +214,17 @@
         <translation>
             <numerusform>Use the %n that is done</numerusform>
             <numerusform>Use the %n that are done</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>noctule::ui::FindingList</name>
+    <message numerus="yes">
+        <source>%n more</source>
+        <comment>findings</comment>
+        <translation>
+            <numerusform>%n more</numerusform>
+            <numerusform>%n more</numerusform>
         </translation>
     </message>
 </context>
@@ -492,17 +513,6 @@
         <translation>
             <numerusform>%n, set by hand</numerusform>
             <numerusform>%n, set by hand</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>noctule::ui::FindingList</name>
-    <message numerus="yes">
-        <source>%n more</source>
-        <comment>findings</comment>
-        <translation>
-            <numerusform>%n more</numerusform>
-            <numerusform>%n more</numerusform>
         </translation>
     </message>
 </context>
