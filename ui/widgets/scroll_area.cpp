@@ -97,7 +97,7 @@ void ScrollArea::fitContent() {
     const QLayout* layout = widget() ? widget()->layout() : nullptr;
     if (!layout || !layout->hasHeightForWidth()) {
         // What had wrapped texts may be hidden now; its height is not kept.
-        if (std::exchange(is_fitted_, false))
+        if (std::exchange(is_fitted_, false) && widget())
             widget()->setMinimumHeight(0);
         return;
     }

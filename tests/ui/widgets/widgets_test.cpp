@@ -303,6 +303,21 @@ TEST_F(WidgetsTest, scrollAreaKeepsNoHeightOfTextsThatAreHidden) {
     EXPECT_LE(content->height(), 200);
 }
 
+TEST_F(WidgetsTest, aScrollAreaMayGiveItsContentAway) {
+    auto* content = new QWidget;
+    auto* text = new Label(QString("many words ").repeated(200), TextRole::kBody, Ink::kValue);
+    (new QVBoxLayout(content))->addWidget(text->wrapped());
+    ScrollArea area(content);
+    area.resize(200, 200);
+    show(area);
+    ASSERT_GT(content->minimumHeight(), 200);
+    const std::unique_ptr<QWidget> taken(area.takeWidget());
+    area.resize(300, 100);
+    QApplication::processEvents();
+    EXPECT_EQ(taken.get(), content);
+    EXPECT_EQ(area.verticalScrollBar()->maximum(), 0);
+}
+
 TEST_F(WidgetsTest, emptyStateOffersItsAction) {
     EmptyState state("Takes will be listed here.", "Record a take");
     show(state);

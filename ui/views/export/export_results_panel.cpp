@@ -83,6 +83,7 @@ void ExportResultsPanel::setScrolls(bool scrolls) {
         area_->setWidget(content_);
     } else {
         area_->takeWidget();
+        content_->setMinimumHeight(0);  // of the area's width
         results_->layout()->addWidget(content_);
     }
     content_->show();
