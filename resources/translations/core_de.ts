@@ -2948,7 +2948,7 @@
     </message>
     <message>
         <source>No frame has the orientations of all segments, so the file brings no reference</source>
-        <translation>Kein Einzelbild hat die Orientierungen aller Segmente; die Datei bringt darum keine Referenz mit</translation>
+        <translation>Kein Einzelbild hat die Orientierungen aller Glieder; die Datei bringt darum keine Referenz mit</translation>
     </message>
     <message>
         <source>Noctule's (X west or left, Y up, Z north or forward)</source>
@@ -4333,11 +4333,11 @@
     </message>
     <message>
         <source>%1 holds its first pose until %2 s.</source>
-        <translation>%1 hält bis %2 s die erste Pose.</translation>
+        <translation>%1 hält bis %2 s die erste Pose.</translation>
     </message>
     <message>
         <source>%1 holds its last pose from %2 s on.</source>
-        <translation>%1 hält ab %2 s die letzte Pose.</translation>
+        <translation>%1 hält ab %2 s die letzte Pose.</translation>
     </message>
     <message>
         <source>%1 led by the %2, %3: %4 commands, %5 following, %6 states</source>
@@ -4629,7 +4629,7 @@
     </message>
     <message>
         <source>Board %1 paused for %2 s in all, first at %3 s. How it turned meanwhile is a guess from the readings around</source>
-        <translation>Platine %1 pausierte insgesamt %2 s, zuerst bei %3 s. Wie sie sich währenddessen drehte, ist aus den Messwerten davor und danach geschätzt</translation>
+        <translation>Platine %1 pausierte insgesamt %2 s, zuerst bei %3 s. Wie sie sich währenddessen drehte, ist aus den Messwerten davor und danach geschätzt</translation>
     </message>
     <message>
         <source>Board %1: the clock stands still or jumps back at %2 readings, which were left out</source>
@@ -6204,7 +6204,7 @@
     </message>
     <message>
         <source>the distance is beyond 20 m, farther than sound carries</source>
-        <translation>der Abstand liegt über 20 m, weiter als der Schall trägt</translation>
+        <translation>der Abstand liegt über 20 m, weiter als der Schall trägt</translation>
     </message>
     <message>
         <source>the external root</source>
@@ -6434,7 +6434,7 @@
     </message>
     <message>
         <source>%1 of the take's distances cannot be: they lie below 0 or beyond 20 m. Give them in metres.</source>
-        <translation>%1 der Abstände der Aufnahme sind unmöglich: Sie liegen unter 0 oder über 20 m. Sie in Metern angeben.</translation>
+        <translation>%1 der Abstände der Aufnahme sind unmöglich: Sie liegen unter 0 oder über 20 m. Sie in Metern angeben.</translation>
     </message>
     <message>
         <source>%1 s of movement</source>

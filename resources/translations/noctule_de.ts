@@ -2154,8 +2154,8 @@
     <message numerus="yes">
         <source>Listening for %n s.</source>
         <translation>
-            <numerusform>Hört seit %n s zu.</numerusform>
-            <numerusform>Hört seit %n s zu.</numerusform>
+            <numerusform>Hört seit %n s zu.</numerusform>
+            <numerusform>Hört seit %n s zu.</numerusform>
         </translation>
     </message>
     <message>
@@ -6340,7 +6340,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>For people and rooms. Errors of measurement stay in millimetres; plots, places of boards and files stay metric. Any unit may be typed: 5&apos;11&quot;, 71 in, 180 cm, 1.8 m.</source>
-        <translation>Für Menschen und Räume. Messfehler bleiben in Millimetern; Kurven, Plätze der Platinen und Dateien bleiben metrisch. Getippt werden darf jede Einheit: 5&apos;11&quot;, 71 in, 180 cm, 1.8 m.</translation>
+        <translation>Für Menschen und Räume. Messfehler bleiben in Millimetern; Kurven, Plätze der Platinen und Dateien bleiben metrisch. Getippt werden darf jede Einheit: 5&apos;11&quot;, 71 in, 180 cm, 1,8 m.</translation>
     </message>
 </context>
 <context>
@@ -8483,7 +8483,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>%1: all suits are processed together, with the ranges between them, where they heard each other.</source>
-        <translation>%1: Alle Anzüge werden gemeinsam verarbeitet, mit den Abständen zwischen ihnen, wo sie einander hörten.</translation>
+        <translation>%1: Alle Anzüge werden gemeinsam verarbeitet, mit den Entfernungen zwischen ihnen, wo sie einander hörten.</translation>
     </message>
 </context>
 <context>
@@ -8810,7 +8810,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>They lie below 0 or beyond 20 m, or miss the pose by far. Check the unit of recordings from elsewhere, else source offsets and places of boards.</source>
-        <translation>Sie liegen unter 0 oder über 20 m oder weit neben der Haltung. Bei fremden Aufnahmen die Einheit prüfen, sonst die Versätze der Quellen und den Sitz der Platinen.</translation>
+        <translation>Sie liegen unter 0 oder über 20 m oder weit neben der Pose. Bei fremden Aufnahmen die Einheit prüfen, sonst die Versätze der Quellen und den Sitz der Platinen.</translation>
     </message>
     <message>
         <source>%1 joined at %2</source>
@@ -9033,19 +9033,19 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>%1: each alone, without ranges between them</source>
-        <translation>%1: jeder für sich, ohne Abstände zwischen ihnen</translation>
+        <translation>%1: jeder für sich, ohne Entfernungen zwischen ihnen</translation>
     </message>
     <message>
         <source>%1: together, with ranges between them and to the room</source>
-        <translation>%1: gemeinsam, mit Abständen zwischen ihnen und zum Raum</translation>
+        <translation>%1: gemeinsam, mit Entfernungen zwischen ihnen und zum Raum</translation>
     </message>
     <message>
         <source>%1: together, with ranges between them</source>
-        <translation>%1: gemeinsam, mit Abständen zwischen ihnen</translation>
+        <translation>%1: gemeinsam, mit Entfernungen zwischen ihnen</translation>
     </message>
     <message>
         <source>%1: together, with ranges to the room</source>
-        <translation>%1: gemeinsam, mit Abständen zum Raum</translation>
+        <translation>%1: gemeinsam, mit Entfernungen zum Raum</translation>
     </message>
     <message>
         <source>%1; could not be joined: %2</source>

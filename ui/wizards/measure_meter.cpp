@@ -14,7 +14,7 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kGap = 6, kStretch = 2, kColumns = 5, kLineBar = 90;
+constexpr int kGap = 6, kStretch = 2, kLineBar = 90;
 
 }  // namespace
 
@@ -24,7 +24,7 @@ MeasureMeter::MeasureMeter(Form form)
       value_(new Label({}, TextRole::kSecondary, Ink::kLabel)),
       bar_(new BarMeter),
       grid_(makeGrid(this, {}, kGap)) {
-    grid_->setColumnStretch(kStretch, 1);
+    grid_->setColumnStretch(form == Form::kBelow ? kStretch - 1 : kStretch, 1);
     if (form == Form::kBelow)
         value_->wrapped();
     setForm(form);
@@ -38,20 +38,25 @@ void MeasureMeter::setForm(Form form) {
         grid_->removeWidget(part);
     grid_->addWidget(icon_, 0, 0);
     grid_->addWidget(name_, 0, 1);
-    const bool is_line = form == Form::kLine;
-    if (form == Form::kBelow)
-        grid_->addWidget(value_, 1, 0, 1, kColumns);
-    else
-        grid_->addWidget(value_, 0, kStretch + 1);
-    if (is_line)
-        grid_->addWidget(bar_, 0, kColumns - 1, Qt::AlignVCenter);
-    else
-        grid_->addWidget(bar_, 2, 0, 1, kColumns);
+    switch (form) {
+        case Form::kBeside:
+            grid_->addWidget(value_, 0, kStretch, Qt::AlignRight);
+            grid_->addWidget(bar_, 1, 0, 1, kStretch + 1);
+            break;
+        case Form::kBelow:
+            grid_->addWidget(value_, 1, 0, 1, kStretch);
+            grid_->addWidget(bar_, 2, 0, 1, kStretch);
+            break;
+        case Form::kLine:
+            grid_->addWidget(value_, 0, kStretch, Qt::AlignRight);
+            grid_->addWidget(bar_, 0, kStretch + 1, Qt::AlignVCenter);
+            break;
+    }
 }
 
 int MeasureMeter::widthBeside() const {
     const int gap = Theme::get().px(kGap);
-    return icon_->sizeHint().width() + name_->sizeHint().width() + value_->sizeHint().width() + 4 * gap;
+    return icon_->sizeHint().width() + name_->sizeHint().width() + value_->sizeHint().width() + 2 * gap;
 }
 
 void MeasureMeter::setMeasure(const LiveMeasure& measure) {

@@ -94,7 +94,7 @@ Button* keyboardFree(Button* button) {
 }  // namespace
 
 RecordBar::RecordBar(RecordRun& run, QWidget* parent) : QWidget(parent), run_(run) {
-    auto* row = makeRow(this, {16, 0, 16, 0}, 16);
+    auto* row = makeRow(this, {16, 0, 16, 0}, 6);
     row->addWidget(makeLeft(), 1);
     row->addWidget(makeMiddle());
     row->addWidget(makeRight(), 1);
