@@ -79,9 +79,9 @@
     <name>noctule::ui::AssignPanel</name>
     <message numerus="yes">
         <source>Listening for %n s.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Listening for %n s.</numerusform>
+            <numerusform>Listening for %n s.</numerusform>
         </translation>
     </message>
 </context>
