@@ -4029,7 +4029,7 @@
     </message>
     <message>
         <source>How strong the Earth’s field is, compared with what is usual where you stand. Steel bends it: beyond 5 % a heading is wrong by several degrees.</source>
-        <translation>Wie stark das Erdfeld ist, verglichen mit dem, was hier üblich ist. Stahl verbiegt es: über 5&#xa0;% ist eine Richtung um mehrere Grad falsch.</translation>
+        <translation>Stärke des Erdfelds, verglichen mit der hier üblichen. Stahl verbiegt es: über 5&#xa0;% weist eine Richtung um Grade falsch.</translation>
     </message>
 </context>
 <context>

@@ -5,6 +5,7 @@
 #include <QStackedWidget>
 #include <QTimer>
 #include <QToolBar>
+#include <QVBoxLayout>
 
 #include "ui/main_window/jobs_panel.h"
 #include "ui/main_window/noticed_page.h"
@@ -110,17 +111,19 @@ void MainWindow::buildParts() {
     jobs_panel_ = new JobsPanel(studio_.jobs(), this);
 }
 
-/// Notices above the page, between the tabs of docks that gave it their room.
+/// Notices above the page; above them the tabs of docks that gave it their room.
 QWidget* MainWindow::makeCentre() {
     notices_ = new Notices;
     session_notices_ = new SessionNotices(studio_, *notices_, this);
     stack_ = new PageStack;
     middle_ = new NoticedPage(notices_, stack_);
     auto* centre = new Backdrop;
-    auto* row = makeRow(centre);
-    row->addWidget(&docks_->leftTab());
-    row->addWidget(middle_, 1);
-    row->addWidget(&docks_->rightTab());
+    auto* column = makeColumn(centre);
+    auto* tabs = addRow(column, 0);
+    tabs->addWidget(&docks_->leftTab());
+    tabs->addStretch();
+    tabs->addWidget(&docks_->rightTab());
+    column->addWidget(middle_, 1);
     return centre;
 }
 

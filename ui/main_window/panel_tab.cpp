@@ -9,19 +9,20 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kTabWidth = 28, kTabHead = 36, kTabLeast = 120, kTabIcon = 16, kTabEnd = 8;
+constexpr int kTabHeight = 24, kTabIcon = 14, kTabGap = 6;
 
 }  // namespace
 
 PanelTab::PanelTab(Edge edge, QWidget* parent) : QAbstractButton(parent), edge_(edge) {
     setFocusPolicy(Qt::StrongFocus);
-    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     hide();
     connect(&Theme::get(), &Theme::changed, this, [this] { updateGeometry(), update(); });
 }
 
 void PanelTab::setTitle(const QString& title) {
     setText(title);
+    updateGeometry();
     setAccessibleName(tr("Show the panel %1").arg(title));
     setToolTip(tr("%1: folded away because large text or a small window leaves it no room. A click shows it.")
                    .arg(title));
@@ -29,31 +30,29 @@ void PanelTab::setTitle(const QString& title) {
 }
 
 QSize PanelTab::sizeHint() const {
-    return {Theme::get().px(kTabWidth), Theme::get().px(kTabLeast)};
+    const Theme& theme = Theme::get();
+    const int words = QFontMetrics(theme.font(TextRole::kSecondary)).horizontalAdvance(text());
+    return {words + theme.px(kTabIcon + 3 * kTabGap), theme.px(kTabHeight)};
 }
 
 void PanelTab::paintEvent(QPaintEvent*) {
     const Theme& theme = Theme::get();
     const Tokens& tokens = theme.tokens();
     const bool left = edge_ == Edge::kLeft;
+    const int icon = theme.px(kTabIcon), gap = theme.px(kTabGap);
     QPainter painter(this);
     painter.fillRect(rect(), underMouse() ? tokens.ctlh : tokens.panel);
-    painter.fillRect(QRect(left ? width() - 1 : 0, 0, 1, height()), tokens.line);
-    const int head = theme.px(kTabHead);
     painter.save();
     if (!left) {  // points to where the panel will be
         painter.translate(width(), 0);
         painter.scale(-1, 1);
     }
-    paintIcon(painter, QRect(0, 0, width(), head), "chevron", theme.px(kTabIcon), tokens.t1);
+    paintIcon(painter, QRect(gap, 0, icon, height()), "chevron", icon, tokens.t1);
     painter.restore();
-    painter.translate(width(), head);
-    painter.rotate(90);
-    painter.setFont(theme.font(TextRole::kBody, true));
+    painter.setFont(theme.font(TextRole::kSecondary));
     painter.setPen(tokens.t1);
-    const QRect room(0, 0, height() - head - theme.px(kTabEnd), width());
-    painter.drawText(room, Qt::AlignVCenter | Qt::AlignLeft,
-                     painter.fontMetrics().elidedText(text(), Qt::ElideRight, room.width()));
+    const QRect words = left ? rect().adjusted(icon + 2 * gap, 0, 0, 0) : rect().adjusted(gap, 0, 0, 0);
+    painter.drawText(words, Qt::AlignVCenter | Qt::AlignLeft, text());
 }
 
 void PanelTab::enterEvent(QEvent*) {

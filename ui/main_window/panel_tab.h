@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stands at the edge of the window for a panel that was folded away for want of room: its title from top to
-// bottom, and a click shows the panel.
+// Stands above the page, at the side of a panel that was folded away for want of room: a click shows the panel.
 #pragma once
 
 #include <QAbstractButton>

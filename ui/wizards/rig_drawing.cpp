@@ -43,7 +43,7 @@ void RigDrawing::setDescription(const QString& words) {
 /// It fills what its page leaves.
 QSize RigDrawing::sizeHint() const {
     const Theme& theme = Theme::get();
-    return {theme.px(320), theme.px(120)};
+    return {theme.px(320), theme.px(170)};
 }
 
 QSize RigDrawing::minimumSizeHint() const {
