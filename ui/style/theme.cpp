@@ -169,6 +169,7 @@ void Theme::apply() {
     application_.setPalette(palette);
     palette.setColor(QPalette::Base, tokens_.panel);
     application_.setPalette(palette, "QAbstractItemView");
+    application_.setFont(font(TextRole::kBody));  // layouts ask once more, with the sizes of the new style
     emit changed();
 }
 

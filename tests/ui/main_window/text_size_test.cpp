@@ -102,7 +102,6 @@ TEST_P(TextSizeTest, ASmallScreenWithLargeTextKeepsWhatMustBeSeen) {
 TEST_P(TextSizeTest, PreferencesFollowTheirOwnChange) {
     PreferencesDialog dialog(*studio_, window_.get());
     dialog.show();
-    choose(dialog, 125);
     choose(dialog, 100);
     const QSize before = dialog.size();
     choose(dialog, 75);
