@@ -13,11 +13,15 @@ class BadDistances : public test::MadeTake {
 protected:
     /// One distance of board 0 for each pulse.
     void setDistances(const std::string& sql) {
-        test::runSql(path(),
-                     "DELETE FROM range WHERE run=0; INSERT INTO "
-                     "range(run,pulse,board,detector,arrival_sample,distance_m,w_s,w_t,w_a,sigma_m) "
-                     "SELECT 0,id,0,'inflection',sample+200," +
-                         sql + ",1,1,1,0.003 FROM pulse");
+        test::runSql(
+            path(),
+            "CREATE TABLE IF NOT EXISTS range(run INTEGER, pulse INTEGER, suit INTEGER NOT NULL "
+            "DEFAULT 1, board INTEGER, detector TEXT, arrival_sample REAL, distance_m REAL, w_s REAL, "
+            "w_t REAL, w_a REAL, sigma_m REAL);"
+            "DELETE FROM range WHERE run=0; INSERT INTO "
+            "range(run,pulse,board,detector,arrival_sample,distance_m,w_s,w_t,w_a,sigma_m) "
+            "SELECT 0,id,0,'inflection',sample+200," +
+                sql + ",1,1,1,0.003 FROM pulse");
     }
     /// How many are read; why others are not.
     std::pair<int, std::string> read() const {
