@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stands above the page, at the side of a panel that was folded away for want of room: a click shows the panel.
+// Stands above the page, at the side of a panel that was folded away for want of room: a click shows the
+// panel.
 #pragma once
 
 #include <QAbstractButton>

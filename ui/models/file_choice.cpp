@@ -38,8 +38,8 @@ QString FileChoice::start() const {
     QString last = QSettings().value("folders/" + kind).toString();
     if (!name.isEmpty() && isThere(last) && isOfAnotherSession(last))
         last.clear();
-    for (const QString& folder :
-         {last, usual, folder_of_session, QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)})
+    for (const QString& folder : {last, usual, folder_of_session,
+                                  QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)})
         if (isThere(folder))
             return folder;
     return QDir::homePath();

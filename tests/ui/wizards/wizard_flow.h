@@ -74,10 +74,10 @@ protected:
     void TearDown() override { stop(); }
 
     void connectRig(const QStringList& options, const QString& speed = "2") {
-        rig_ =
-            std::make_unique<RigProgram>(QStringList{"--suit", QString::fromStdString(smallSuit(folder_, boards_)),
-                                                     "--speed", speed, "--seed", "3"} +
-                                         options);
+        rig_ = std::make_unique<RigProgram>(QStringList{"--suit",
+                                                        QString::fromStdString(smallSuit(folder_, boards_)),
+                                                        "--speed", speed, "--seed", "3"} +
+                                            options);
         ASSERT_TRUE(rig_->isThere());
         connectAgain();
     }
@@ -107,8 +107,8 @@ protected:
         QProcess program;
         program.start(NOCTULE_PROGRAM,
                       QStringList{"--batch", "simulate", "--suit",
-                                  QString::fromStdString(smallSuit(folder_, boards_)), "--seed", "3", "--level",
-                                  "readings", "--out", folder_.filePath("simulated.noctule")} +
+                                  QString::fromStdString(smallSuit(folder_, boards_)), "--seed", "3",
+                                  "--level", "readings", "--out", folder_.filePath("simulated.noctule")} +
                           options);
         ASSERT_TRUE(program.waitForFinished(-1));
         ASSERT_EQ(program.exitCode(), 0) << program.readAllStandardError().toStdString();
