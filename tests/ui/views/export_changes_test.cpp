@@ -3,35 +3,15 @@
 #include <QComboBox>
 
 #include "core/recording/take_edit.h"
-#include "tests/ui/views/reviewed_session.h"
-#include "ui/views/export/export_form.h"
-#include "ui/views/export/export_page.h"
-#include "ui/widgets/button.h"
+#include "tests/ui/views/export_page_fixture.h"
 
 namespace noctule::ui {
 namespace {
 
-class ExportChangesTest : public test::ReviewedSession {
+class ExportChangesTest : public test::ExportPageTest {
 protected:
-    void SetUp() override {
-        ReviewedSession::SetUp();
-        if (HasFatalFailure())
-            return;
-        openTake("swing_001");
-        page_ = std::make_unique<ExportPage>(*studio_);
-        page_->resize(1000, 700);
-        page_->show();
-        page_->choosePreset("bvh");
-        page_->enter();
-    }
-    void TearDown() override {
-        waitFor([this] { return jobsAreDone(); });
-        page_.reset();
-        ReviewedSession::TearDown();
-    }
     void write() {
-        QTest::mouseClick(page_->writeButton(), Qt::LeftButton);
-        ASSERT_TRUE(waitFor([this] { return page_->results().has_value() && jobsAreDone(); }));
+        ExportPageTest::write();
         ASSERT_TRUE(waitFor([this] { return !offersToWrite(); })) << "the files are there";
     }
     bool offersToWrite() const { return page_->writeButton()->isVisible(); }
@@ -44,8 +24,6 @@ protected:
             waitFor([this] { return studio_->take().overview()->runs.size() == 2 && jobsAreDone(); }));
     }
     std::string runOf(size_t job) const { return page_->plan().value().at(job).request.run; }
-
-    std::unique_ptr<ExportPage> page_;
 };
 
 TEST_F(ExportChangesTest, AnotherInOrOutBringsWriteBack) {

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/views/export/export_page.h"
-
+// What the Export page offers and sends out.
 #include <QCheckBox>
 #include <QComboBox>
-#include <QFile>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPointer>
@@ -11,46 +9,14 @@
 #include <set>
 
 #include "core/job/atomic_file.h"
-#include "tests/ui/views/reviewed_session.h"
+#include "tests/ui/views/export_page_fixture.h"
 #include "ui/style/theme.h"
-#include "ui/views/export/export_form.h"
-#include "ui/views/export/export_results_panel.h"
 #include "ui/views/export/export_take_list.h"
-#include "ui/views/job_progress.h"
-#include "ui/widgets/button.h"
 
 namespace noctule::ui {
 namespace {
 
-class ExportPageTest : public test::ReviewedSession {
-protected:
-    void SetUp() override {
-        ReviewedSession::SetUp();
-        if (HasFatalFailure())
-            return;
-        openTake("swing_001");
-        page_ = std::make_unique<ExportPage>(*studio_);
-        page_->resize(1000, 700);
-        page_->show();
-        page_->choosePreset("bvh");
-        page_->enter();
-    }
-    void TearDown() override {
-        waitFor([this] { return jobsAreDone(); });
-        page_.reset();
-        ReviewedSession::TearDown();
-    }
-
-    void write() {
-        QTest::mouseClick(page_->writeButton(), Qt::LeftButton);
-        ASSERT_TRUE(waitFor([this] { return page_->results().has_value() && jobsAreDone(); }));
-    }
-    std::string exported(const char* name) const {
-        return (studio_->session().session().exportsFolder() / name).string();
-    }
-
-    std::unique_ptr<ExportPage> page_;
-};
+using test::ExportPageTest;
 
 TEST_F(ExportPageTest, WritesTheFileThatTheBatchProgramWrites) {
     EXPECT_EQ(page_->form().takes(), QStringList{"swing_001"}) << "the open take is ticked";
@@ -148,96 +114,6 @@ TEST_F(ExportPageTest, AllTakesGoIntoOneFile) {
     EXPECT_EQ(fileCount(*page_->plan()), 2) << "BVH holds one";
 }
 
-TEST_F(ExportPageTest, AnyChangeBringsWriteBackAndReturnOpensNoFolder) {
-    write();
-    EXPECT_FALSE(page_->writeButton()->isVisible()) << "the files are there";
-    const QString said = "No file manager could be started";
-    QStringList told;
-    QObject::connect(studio_.get(), &Studio::failed, [&](const QString& what) { told += what; });
-    const QByteArray path = qgetenv("PATH");
-    qputenv("PATH", outsideFile("nothing").toLocal8Bit());
-    QTest::keyClick(page_.get(), Qt::Key_Return);
-    QTest::qWait(100);
-    EXPECT_TRUE(told.isEmpty()) << "Return opened the folder";
-    page_->openFolder();
-    EXPECT_TRUE(waitFor([&] { return told == QStringList{said}; }));
-    qputenv("PATH", path);
-
-    page_->form().frames->setCurrentIndex(page_->form().frames->findData(60.0));
-    EXPECT_TRUE(page_->writeButton()->isVisible());
-    EXPECT_TRUE(page_->writeButton()->text().contains('1'));
-    page_->form().frames->setCurrentIndex(page_->form().frames->findData(120.0));
-    EXPECT_FALSE(page_->writeButton()->isVisible()) << "as it was written";
-    page_->form().also[ExportFormat::kGlb]->setChecked(true);
-    EXPECT_TRUE(page_->writeButton()->isVisible()) << "another format";
-    page_->form().also[ExportFormat::kGlb]->setChecked(false);
-    EXPECT_FALSE(page_->writeButton()->isVisible());
-    page_->form().run->setCurrentIndex(1);  // last of each take
-    EXPECT_TRUE(page_->writeButton()->isVisible()) << "another choice of results";
-    page_->form().run->setCurrentIndex(0);  // as shown
-    EXPECT_FALSE(page_->writeButton()->isVisible());
-    page_->choosePreset("web");
-    EXPECT_TRUE(page_->writeButton()->isVisible());
-    QTest::keyClick(page_.get(), Qt::Key_Return);
-    ASSERT_TRUE(waitFor([&] {
-        return QFile::exists(QString::fromStdString(exported("swing_001_60.glb"))) && jobsAreDone();
-    }));
-    EXPECT_EQ(page_->resultsPanel().cardCount(), 3) << "the new file, a heading, and the file before";
-    page_->enter();
-    EXPECT_EQ(page_->resultsPanel().cardCount(), 3) << "they stay when the page is left";
-}
-
-TEST_F(ExportPageTest, AFileManagerThatFailsLateIsToldToo) {
-    write();
-    QFile opener(outsideFile("xdg-open"));
-    ASSERT_TRUE(opener.open(QFile::WriteOnly));
-    opener.write("#!/bin/sh\nsleep 6\nexit 4\n");
-    opener.close();
-    opener.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
-    QStringList told;
-    QObject::connect(studio_.get(), &Studio::failed, [&](const QString& what) { told += what; });
-    const QByteArray path = qgetenv("PATH");
-    qputenv("PATH", outsideFile("").toLocal8Bit() + ":" + path);
-    page_->openFolder();
-    EXPECT_TRUE(waitFor([&] { return told == QStringList{"No file manager could be started"}; }));
-    qputenv("PATH", path);
-}
-
-TEST_F(ExportPageTest, AWrittenFileIsOpenedFromItsCardAndATrialIsNot) {
-    const auto openers = [this] {
-        QList<Button*> found;
-        for (Button* button : page_->resultsPanel().findChildren<Button*>())
-            if (button->text() == "Open")
-                found += button;
-        return found;
-    };
-    page_->tryOneFrame();
-    ASSERT_TRUE(waitFor([this] { return page_->resultsPanel().cardCount() == 1 && jobsAreDone(); }));
-    EXPECT_TRUE(openers().isEmpty()) << "its file is deleted";
-    write();
-    ASSERT_EQ(openers().size(), 1);
-    const QString opened = outsideFile("opened");
-    QFile opener(outsideFile("xdg-open"));
-    ASSERT_TRUE(opener.open(QFile::WriteOnly));
-    opener.write(("#!/bin/sh\necho \"$1\" > '" + opened + "'\nexit 3\n").toLocal8Bit());
-    opener.close();
-    opener.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
-    QStringList told;
-    QObject::connect(studio_.get(), &Studio::failed, [&](const QString& what) { told += what; });
-    const QByteArray path = qgetenv("PATH");
-    qputenv("PATH", outsideFile("").toLocal8Bit() + ":" + path);
-    openers().front()->click();
-    EXPECT_TRUE(waitFor([&] { return told == QStringList{"No program opened swing_001_120.bvh"}; }));
-    qputenv("PATH", path);
-    const auto given = readWholeFile(opened.toStdString());
-    ASSERT_TRUE(given);
-    EXPECT_EQ(std::string(given->begin(), given->end()), exported("swing_001_120.bvh") + "\n");
-    told.clear();
-    QFile::remove(QString::fromStdString(exported("swing_001_120.bvh")));
-    openers().front()->click();
-    EXPECT_EQ(told, QStringList{QString::fromStdString(exported("swing_001_120.bvh")) + " is not there"});
-}
-
 TEST_F(ExportPageTest, FeetAreOnTheFloorOnlyWhereTheFileHasThemThere) {
     ExportResults results;
     results.outcomes.push_back({"swing_001", outsideFile("swing.bvh").toStdString(), {}, {}, false});
@@ -280,19 +156,6 @@ TEST_F(ExportPageTest, FeetAreOnTheFloorOnlyWhereTheFileHasThemThere) {
     EXPECT_FALSE(checkAsText(results).contains("feet on the floor"));
 }
 
-TEST_F(ExportPageTest, WhyFilesWereNotWrittenIsForgottenWhenOthersAreAskedFor) {
-    const std::filesystem::path exports = studio_->session().session().exportsFolder();
-    std::filesystem::remove_all(exports);
-    ASSERT_TRUE(writeFileAtomically(exports.string(), "a file in the way", true));
-    QTest::mouseClick(page_->writeButton(), Qt::LeftButton);
-    const auto* progress = page_->findChild<JobProgress*>();
-    ASSERT_TRUE(waitFor([&] { return progress->isVisible() && jobsAreDone(); })) << "it says why";
-    page_->enter();
-    EXPECT_TRUE(progress->isVisible()) << "nothing has changed";
-    page_->form().frames->setCurrentIndex(page_->form().frames->findData(60.0));
-    EXPECT_FALSE(progress->isVisible());
-}
-
 TEST_F(ExportPageTest, SeveralFormatsAndResultsGoOutAtOnce) {
     ProcessRequest gyroscopes_only;
     gyroscopes_only.take_path = takePath("swing_001").toStdString();
@@ -333,14 +196,6 @@ TEST_F(ExportPageTest, WhatReviewShowsGoesOut) {
     studio_->take().setShownRun(1);
     write();
     EXPECT_EQ(page_->results()->outcomes[0].result, "2: Gyroscopes only");
-}
-
-TEST_F(ExportPageTest, NothingIsOverwritten) {
-    write();
-    page_->write();
-    ASSERT_TRUE(
-        waitFor([this] { return QFile::exists(QString::fromStdString(exported("swing_001_120_2.bvh"))); }));
-    EXPECT_TRUE(QFile::exists(QString::fromStdString(exported("swing_001_120.bvh"))));
 }
 
 TEST_F(ExportPageTest, InToOutOfTheTakeIsExported) {
@@ -438,13 +293,6 @@ TEST_F(ExportPageTest, TheFormOffersWhatTheFormatHas) {
     EXPECT_TRUE(form.angles->isHidden());
     choose(ExportFormat::kFbx);
     EXPECT_EQ(form.unit->currentData().toDouble(), 0.01) << "as it was";
-}
-
-TEST_F(ExportPageTest, OneFrameLeavesNoFile) {
-    page_->tryOneFrame();
-    ASSERT_TRUE(waitFor([this] { return page_->resultsPanel().cardCount() == 1 && jobsAreDone(); }));
-    EXPECT_FALSE(page_->results()) << "a trial is no export";
-    EXPECT_FALSE(QFile::exists(QString::fromStdString(exported("swing_001_120.bvh"))));
 }
 
 TEST_F(ExportPageTest, ATypedFileNameStaysUntilItIsCleared) {
