@@ -33,7 +33,7 @@ std::vector<bool> ManifoldFilter::silentLinks() const {
         has_board[link] = true;
         is_heard[link] = is_heard[link] || speaks;
     }
-    std::vector<bool> silent(tree_.links().size(), heard == 0);
+    std::vector<bool> silent(tree_.links().size(), worn > 0 && heard == 0);
     if (heard > 0 && 2 * heard < worn)
         for (size_t link = 0; link < silent.size(); ++link)
             silent[link] = has_board[link] && !is_heard[link];

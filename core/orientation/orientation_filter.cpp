@@ -35,7 +35,8 @@ struct FieldMemory {
         return off * off;
     }
     void learn(double strength_now, double inclination_now, double dt_s) {
-        const double share = dt_s / kReferenceMemory_s;
+        const double share =
+            -std::expm1(-dt_s / kReferenceMemory_s);  // a pause may be longer than the memory
         strength += share * (strength_now - strength);
         inclination_rad += share * (inclination_now - inclination_rad);
     }
@@ -224,11 +225,14 @@ private:
     void correctBiasAtRest(size_t step, ErrorVector& error) {
         const size_t begin = step * per_step_, end = std::min(samples_.size(), begin + per_step_);
         Vector3d mean = Vector3d::Zero();
-        for (size_t i = begin; i < end; ++i)
+        double read_s = 0;  // without a pause
+        for (size_t i = begin; i < end; ++i) {
             mean += samples_.gyro_rad_per_s[i] / double(end - begin);
+            read_s += samples_.interval_s(i);
+        }
         if (!mean.allFinite())
             return;
-        const double variance = std::pow(settings_.gyro_noise_rad_per_sqrt_s, 2) / transition_.dt_s;
+        const double variance = std::pow(settings_.gyro_noise_rad_per_sqrt_s, 2) / read_s;
         const Vector3d rate = nominal_.rate(mean);
         for (int axis = 0; axis < 3; ++axis)
             if (std::pow(rate[axis], 2) >

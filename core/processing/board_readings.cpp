@@ -89,7 +89,7 @@ ReadingsOfBoards::Placement ReadingsOfBoards::byStamps(const std::vector<Inertia
     for (size_t i = 0; i < rows.size(); ++i) {
         const double at = rows[i].sample;
         const bool rises = out.sample.empty() || at > out.sample.back();
-        // One that the next goes back behind is wrong itself.
+        // A stamp later than the next one is an outlier.
         const bool leaps = rises && i + 1 < rows.size() && rows[i + 1].sample <= at &&
                            (out.sample.empty() || rows[i + 1].sample > out.sample.back());
         if (!rises || leaps) {
@@ -122,14 +122,16 @@ Result<BoardReadings> ReadingsOfBoards::of(size_t board, const Take& take) const
     const bool is_regular = std::ranges::all_of(rows, [&](const InertialReading& row) {
         return std::abs(row.sample - first.sample - double(row.frame - first.frame) * step) <= step / 2;
     });
-    const double usual_step = is_regular ? step : usualStep(rows);
+    const double usual = is_regular ? step : usualStep(rows);
+    const bool by_line = is_regular || !(usual > 0);  // packets of equal stamps: the frames tell the instants
+    const double usual_step = by_line ? step : usual;
     out.samples.rate_hz = sample_rate_hz_ / usual_step;
     if (!(out.samples.rate_hz >= kLowestRate_hz && out.samples.rate_hz <= kHighestRate_hz))
         return readingsError(
             take,
             "board " + suit_.boards[board].id + " reads at " + std::to_string(out.samples.rate_hz) + " Hz",
             "Orientation needs 10 to 10000 readings a second");
-    fill(rows, board, is_regular ? onLine(rows, step) : byStamps(rows, usual_step), out);
+    fill(rows, board, by_line ? onLine(rows, step) : byStamps(rows, usual_step), out);
     return out;
 }
 

@@ -111,7 +111,9 @@ Result<Reference> chooseReference(const Take& take, const EvaluateRequest& reque
             reference.names = storedNames(take);
             // A take's own reference has frames that are parallel in the zero pose, whatever its bones
             // measure.
-            reference.options.match_segments = metaText(take, "reference_frames") == "own";
+            // Imports of MVNX did not say at first that theirs are not.
+            const std::string frames = metaText(take, "reference_frames");
+            reference.options.match_segments = frames == "own" || (frames.empty() && kind == "mvnx");
         }
     }
     reference.there = !reference.motion.frames.empty();

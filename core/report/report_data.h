@@ -74,6 +74,8 @@ struct ReportBoard {
         const int64_t there = frames_expected - frames_absent;
         return there <= 0 ? 0 : double(frames_lost - frames_absent) / double(there);
     }
+    /// It came late or left early rather than losing frames in between.
+    bool lostMostlyByAbsence() const { return 2 * frames_absent > frames_lost; }
     double readingShare() const {
         return readings_expected <= 0 ? 1 : double(readings_present) / double(readings_expected);
     }

@@ -234,7 +234,7 @@ private:
         for (size_t b = 0; b < report_.boards.size(); ++b) {
             const ReportBoard& board = report_.boards[b];
             const double lost = board.lostShare();
-            const bool came_or_went = 2 * board.frames_absent > board.frames_lost;
+            const bool came_or_went = board.lostMostlyByAbsence();
             if (lost > limits_.good_lost)
                 verdict_.lossy_boards.push_back({static_cast<int>(b), lost,
                                                  came_or_went ? board.joined_s : std::nullopt,
@@ -247,9 +247,7 @@ private:
         const auto& lossy = verdict_.lossy_boards;
         verdict_.lost_together = lossy.size() > 2 && lossy.size() == report_.boards.size() &&
                                  lossy.front().lost_share - lossy.back().lost_share < kLostTogether &&
-                                 std::ranges::all_of(report_.boards, [](const ReportBoard& board) {
-                                     return board.frames_absent == 0;
-                                 });
+                                 std::ranges::none_of(report_.boards, &ReportBoard::lostMostlyByAbsence);
         // One dead board costs one segment; when most boards lose much, it is the link.
         const auto many = static_cast<size_t>(
             std::count_if(verdict_.lossy_boards.begin(), verdict_.lossy_boards.end(),

@@ -183,12 +183,13 @@ void judgeBoards(const ReportData& data, const TakeVerdict& judged, Verdict& ver
         verdict.reasons.push_back("All boards lost " + text::percent(judged.lossy_boards.front().lost_share) +
                                   " of their frames together: the link to the driver box broke off or was "
                                   "too slow. Check its cable or network.");
-    if (std::string suit = suitPresence(data); !suit.empty())
-        verdict.reasons.push_back(std::move(suit));
+    const std::string suit = suitPresence(data);
+    if (!suit.empty())
+        verdict.reasons.push_back(suit);
     for (size_t i = 0; i < data.boards.size(); ++i) {
         const ReportBoard& board = data.boards[i];
         const std::string name = text::capitalised(boardLabel(data, static_cast<int>(i))) + " ";
-        if (board.frames_absent > 0)
+        if (board.frames_absent > 0 && suit.empty())
             verdict.reasons.push_back(presenceSentence(name, board.joined_s, board.left_s));
         if (const std::string loss = lossSentence(board, name); !loss.empty() && !judged.lost_together)
             verdict.reasons.push_back(loss);

@@ -115,6 +115,7 @@ Status LiveSession::beginWithDevice(const StreamRequest& request, const link::He
             past_.emplace(std::llround((kLongestPreRoll_s + kSpareHeld_s) * hello.sample_rate_hz));
     }
     is_silent_ = false;
+    newest_sound_ns_ = steadyNow_ns();
     change([&](SessionStatus& s) {
         stream_ = stream;
         due_sample_.reset();

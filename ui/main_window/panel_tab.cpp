@@ -13,15 +13,16 @@ constexpr int kTabHeight = 24, kTabIcon = 14, kTabGap = 6;
 
 }  // namespace
 
-PanelTab::PanelTab(Edge edge, QWidget* parent) : QAbstractButton(parent), edge_(edge) {
+PanelTab::PanelTab(Side side, QWidget* parent) : QAbstractButton(parent), side_(side) {
     setFocusPolicy(Qt::StrongFocus);
-    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
     hide();
     connect(&Theme::get(), &Theme::changed, this, [this] { updateGeometry(), update(); });
 }
 
 void PanelTab::setTitle(const QString& title) {
     setText(title);
+    setShortcut({});  // "R&D" asks for no key
     updateGeometry();
     setAccessibleName(tr("Show the panel %1").arg(title));
     setToolTip(tr("%1: folded away because large text or a small window leaves it no room. A click shows it.")
@@ -38,7 +39,7 @@ QSize PanelTab::sizeHint() const {
 void PanelTab::paintEvent(QPaintEvent*) {
     const Theme& theme = Theme::get();
     const Tokens& tokens = theme.tokens();
-    const bool left = edge_ == Edge::kLeft;
+    const bool left = side_ == Side::kLeft;
     const int icon = theme.px(kTabIcon), gap = theme.px(kTabGap);
     QPainter painter(this);
     painter.fillRect(rect(), underMouse() ? tokens.ctlh : tokens.panel);
@@ -51,8 +52,10 @@ void PanelTab::paintEvent(QPaintEvent*) {
     painter.restore();
     painter.setFont(theme.font(TextRole::kSecondary));
     painter.setPen(tokens.t1);
-    const QRect words = left ? rect().adjusted(icon + 2 * gap, 0, 0, 0) : rect().adjusted(gap, 0, 0, 0);
-    painter.drawText(words, Qt::AlignVCenter | Qt::AlignLeft, text());
+    const QRect words =
+        left ? rect().adjusted(icon + 2 * gap, 0, 0, 0) : rect().adjusted(gap, 0, -icon - gap, 0);
+    painter.drawText(words, Qt::AlignVCenter | Qt::AlignLeft,
+                     painter.fontMetrics().elidedText(text(), Qt::ElideRight, words.width()));
 }
 
 void PanelTab::enterEvent(QEvent*) {

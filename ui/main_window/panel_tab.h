@@ -10,14 +10,15 @@ namespace noctule::ui {
 class PanelTab : public QAbstractButton {
     Q_OBJECT
 public:
-    enum class Edge { kLeft, kRight };
+    enum class Side { kLeft, kRight };
 
-    explicit PanelTab(Edge edge, QWidget* parent = nullptr);
+    explicit PanelTab(Side side, QWidget* parent = nullptr);
 
     void setTitle(const QString& title);
 
     QSize sizeHint() const override;
-    QSize minimumSizeHint() const override { return sizeHint(); }
+    /// A long title is elided.
+    QSize minimumSizeHint() const override { return {3 * sizeHint().height(), sizeHint().height()}; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -25,7 +26,7 @@ protected:
     void leaveEvent(QEvent* event) override;
 
 private:
-    Edge edge_;
+    Side side_;
 };
 
 }  // namespace noctule::ui

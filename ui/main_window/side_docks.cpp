@@ -94,7 +94,7 @@ SideDocks::Side SideDocks::makeSide(Qt::DockWidgetArea area, const QString& name
     connect(hide, &QToolButton::clicked, side.dock, &QDockWidget::close);
     side.action = side.dock->toggleViewAction();
     side.action->setText(words);
-    side.tab = new PanelTab(left ? PanelTab::Edge::kLeft : PanelTab::Edge::kRight, &window_);
+    side.tab = new PanelTab(left ? PanelTab::Side::kLeft : PanelTab::Side::kRight, &window_);
     connect(side.tab, &QAbstractButton::clicked, this, [action = side.action, stack = side.stack] {
         action->trigger();
         stack->currentWidget()->setFocus(Qt::OtherFocusReason);
@@ -225,7 +225,9 @@ void SideDocks::showTabs() {
 
 /// What they hold may take a while to know its new size.
 void SideDocks::resizeToUsual(int tries) {
-    const auto resize = [this, tries] {
+    const auto resize = [this, tries, page = page_] {
+        if (page != page_)
+            return;  // another step has widths of its own
         QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
         const Theme& theme = Theme::get();
         const bool narrow = window_.width() < theme.px(kNarrowWindow);

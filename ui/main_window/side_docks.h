@@ -36,7 +36,7 @@ public:
 
     QDockWidget& left() { return *left_.dock; }
     QDockWidget& right() { return *right_.dock; }
-    /// At the window's edges, seen while their dock has given its room to the page.
+    /// Above the page, seen while their dock has given its room to it.
     PanelTab& leftTab() { return *left_.tab; }
     PanelTab& rightTab() { return *right_.tab; }
 
@@ -57,8 +57,8 @@ private:
     bool hasRoomForBoth() const;
     bool areBothSeen() const;
     /// With large type or in a small window the page itself needs the room: one dock goes, usually the left
-    /// one, leaves a tab at the edge, and comes back when there is room again. Where both stay they may not
-    /// cut the page.
+    /// one, leaves a tab above the page, and comes back when there is room again. Where both stay they may
+    /// not cut the page.
     void makeRoom();
     /// The operator wants to see this one: without room for both, the other one goes.
     void preferTo(QDockWidget& other);

@@ -33,6 +33,8 @@ ReviewContext::ReviewContext(SharedContext& shared)
                      [this](const QString& before, const QString& now) {
                          if (take_.path() == before)
                              take_.followMove(now);
+                         if (unreadable_.path == before)
+                             unreadable_.path = now;
                      });
     QObject::connect(&changes_, &TakeChanges::failed, &here_,
                      [&shared](const QString& what, const QString& remedy) {

@@ -14,7 +14,7 @@
 namespace noctule::ui {
 namespace {
 
-constexpr int kGap = 6, kStretch = 2, kLineBar = 90;
+constexpr int kGap = 6, kValueColumn = 2, kLineBar = 90;
 
 }  // namespace
 
@@ -24,7 +24,7 @@ MeasureMeter::MeasureMeter(Form form)
       value_(new Label({}, TextRole::kSecondary, Ink::kLabel)),
       bar_(new BarMeter),
       grid_(makeGrid(this, {}, kGap)) {
-    grid_->setColumnStretch(form == Form::kBelow ? kStretch - 1 : kStretch, 1);
+    grid_->setColumnStretch(form == Form::kBelow ? kValueColumn - 1 : kValueColumn, 1);
     if (form == Form::kBelow)
         value_->wrapped();
     setForm(form);
@@ -40,16 +40,16 @@ void MeasureMeter::setForm(Form form) {
     grid_->addWidget(name_, 0, 1);
     switch (form) {
         case Form::kBeside:
-            grid_->addWidget(value_, 0, kStretch, Qt::AlignRight);
-            grid_->addWidget(bar_, 1, 0, 1, kStretch + 1);
+            grid_->addWidget(value_, 0, kValueColumn, Qt::AlignRight);
+            grid_->addWidget(bar_, 1, 0, 1, kValueColumn + 1);
             break;
         case Form::kBelow:
-            grid_->addWidget(value_, 1, 0, 1, kStretch);
-            grid_->addWidget(bar_, 2, 0, 1, kStretch);
+            grid_->addWidget(value_, 1, 0, 1, kValueColumn);
+            grid_->addWidget(bar_, 2, 0, 1, kValueColumn);
             break;
         case Form::kLine:
-            grid_->addWidget(value_, 0, kStretch, Qt::AlignRight);
-            grid_->addWidget(bar_, 0, kStretch + 1, Qt::AlignVCenter);
+            grid_->addWidget(value_, 0, kValueColumn, Qt::AlignRight);
+            grid_->addWidget(bar_, 0, kValueColumn + 1, Qt::AlignVCenter);
             break;
     }
 }

@@ -58,7 +58,7 @@ void SentenceCard::forgetHeight() {
 }
 
 void SentenceCard::keepHeight() {
-    layout()->invalidate();
+    sentence_->parentWidget()->updateGeometry();  // else the words' height is that of the sentence before
     setFixedHeight(std::max(height(), layout()->heightForWidth(width())));
 }
 

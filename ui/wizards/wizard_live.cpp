@@ -87,7 +87,8 @@ QWidget* WizardLive::makeMeasures() {
 /// `anew`: numbers that change must not change the page.
 void WizardLive::fit(bool anew) {
     const Theme& theme = Theme::get();
-    instruction_->setRole(width() < theme.px(kNarrowPage) ? TextRole::kVerdict : TextRole::kInstruction);
+    if (anew)
+        instruction_->setRole(width() < theme.px(kNarrowPage) ? TextRole::kVerdict : TextRole::kInstruction);
     const QMargins edges = layout()->contentsMargins();
     const int shown = static_cast<int>(
         std::ranges::count_if(measures_, [](const MeasureMeter* measure) { return !measure->isHidden(); }));
@@ -96,7 +97,7 @@ void WizardLive::fit(bool anew) {
     const bool is_narrow = std::ranges::any_of(measures_, [room](const MeasureMeter* measure) {
         return !measure->isHidden() && measure->widthBeside() > room;
     });
-    if (!is_narrow && !anew)
+    if (!anew && (!is_narrow || measures_row_->direction() == QBoxLayout::TopToBottom))
         return;
     measures_row_->setDirection(is_narrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
     measures_row_->setSpacing(theme.px(is_narrow ? kBetweenLines : kBetweenMeasures));
@@ -159,8 +160,6 @@ void WizardLive::refresh() {
         return;
     const int step = run_->step(), steps = run_->stepCount();
     const bool another = std::exchange(shown_step_, step) != step;
-    if (another)
-        card_->forgetHeight();
     step_->setText(steps > 1 ? tr("Step %1 of %2").arg(step + 1).arg(steps) : wordsOf(run_->task()).title);
     so_far_->setText(tr("%1 so far").arg(timeText(run_->secondsSoFar(), 0)));
     const bool stands_first = run_->task() == WizardTask::kMovement && !exerciseFrame();
@@ -168,6 +167,8 @@ void WizardLive::refresh() {
     instruction_->setText(stands_first ? tr("Stand still. Then: %1").arg(instruction) : instruction);
     const LiveSentence now = sentenceOf(*run_);
     card_->setSentence(now);
+    if (another)
+        card_->forgetHeight();
     card_->ring().show(run_->heldShare(), holdOf(run_->task()),
                        now.tone == Tone::kOk ? Tone::kOk : Tone::kNeutral);
     dress();

@@ -240,6 +240,25 @@ TEST(OrientationFilter, LostReadingsAreBridged) {
     }
 }
 
+/// Longer than the memory of the field, which is 2 % stronger afterwards.
+TEST(OrientationFilter, AfterALongPauseTheMagnetometerStillTellsTheHeading) {
+    constexpr int kBefore = 2000, kAfter = 6000;
+    Waved still;
+    still.samples.rate_hz = 100;
+    still.samples.step_s.assign(kBefore + kAfter, 0.01);
+    still.samples.step_s[kBefore] = 600;
+    const Vector3d field(0, -45 * std::sin(1.15), 45 * std::cos(1.15));
+    for (int i = 0; i < kBefore + kAfter; ++i) {
+        const Quaterniond q = axisAngle(Vector3d::UnitY(), i < kBefore ? 0 : 1);
+        still.samples.gyro_rad_per_s.push_back(Vector3d::Zero());
+        still.samples.accel_m_per_s2.push_back({0, kStandardGravity_m_per_s2, 0});
+        still.samples.mag.push_back(q.conjugate() * Vector3d((i < kBefore ? 1 : 1.02) * field));
+        still.truth.push_back(q);
+    }
+    const auto attitudes = estimate(still, false).q_world_sensor;
+    EXPECT_LT(degrees(angleBetween(attitudes.back(), still.truth.back())), 3);
+}
+
 TEST(OrientationFilter, IsCancelled) {
     CancelFlag cancel;
     cancel.cancel();

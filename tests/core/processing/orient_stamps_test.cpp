@@ -102,6 +102,19 @@ TEST_F(OrientStamps, AStampThatLeapsIsLeftOut) {
     EXPECT_NEAR(double(rows.back().time_ns) * 1e-9, 14.98, 1e-5);
 }
 
+/// Radios bring several readings at once, and some recorders stamp them alike.
+TEST_F(OrientStamps, PacketsOfEqualStampsAreEvenlyApart) {
+    write([](int i) { return i / 5 * 0.05; });
+    OrientRequest request{path_, "packets", "2026-01-01T00:00:00Z", "test", &orientationEstimators().front(),
+                          {}};
+    const auto summary = orientTake(request, {});
+    ASSERT_TRUE(summary) << summary.error().text();
+    const auto rows = Take::open(path_)->orientations(summary->run, 0).value();
+    ASSERT_EQ(rows.size(), size_t(kRows));
+    for (size_t i = 1; i < rows.size(); ++i)
+        EXPECT_NEAR(double(rows[i].time_ns - rows[i - 1].time_ns), 1e7, 1e5);
+}
+
 /// Recorders stamp a regular stream with some jitter: the line through it is truer than each stamp.
 TEST_F(OrientStamps, JitterOfARegularStreamIsTakenOff) {
     write([](int i) { return i * 0.01 + (i % 3 == 1 ? 0.002 : 0); });

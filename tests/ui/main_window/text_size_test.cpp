@@ -109,7 +109,7 @@ TEST_P(TextSizeTest, PreferencesFollowTheirOwnChange) {
     QTest::qWait(60);
     expectWhole(dialog, "preferences at 75 %");
     choose(dialog, 100);
-    EXPECT_EQ(dialog.size(), before);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return dialog.size() == before; })) << "once it has been laid out";
 }
 
 TEST_P(TextSizeTest, PreferencesStayWithinASmallWindow) {

@@ -81,6 +81,7 @@ void ExportResultsPanel::setScrolls(bool scrolls) {
         return;
     if (scrolls) {
         area_->setWidget(content_);
+        content_->setAutoFillBackground(false);  // Qt fills what it scrolls
     } else {
         area_->takeWidget();
         content_->setMinimumHeight(0);  // of the area's width

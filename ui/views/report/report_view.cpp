@@ -25,8 +25,9 @@
 namespace noctule::ui {
 
 namespace {
-constexpr int kContents = 176, kRoomForContents = 720, kLettersOfPart = 12;  // pixels at 100 percent
-}
+constexpr int kContents = 176, kRoomForContents = 720;  // pixels at 100 percent
+constexpr int kLettersOfPart = 12;
+}  // namespace
 
 ReportView::ReportView(ReviewContext& review, FullReport& report, QWidget* parent)
     : QWidget(parent),

@@ -62,6 +62,7 @@ ReviewPage::ReviewPage(Studio& studio, QWidget* parent)
             [this] { studio_.saveReadable(studio_.unreadable().path); });
     connect(&studio.take(), &TakeDocument::opened, this, &ReviewPage::refresh);
     connect(&studio, &Studio::tornTake, this, &ReviewPage::refresh);
+    connect(&studio.session(), &SessionModel::takeRenamed, this, &ReviewPage::refresh);
     connect(&studio.session(), &SessionModel::currentTakeChanged, this, &ReviewPage::refresh);
     connect(&studio.take(), &TakeDocument::runsChanged, this, &ReviewPage::compareWithEarlier);
     connect(&studio.session(), &SessionModel::opened, this, &ReviewPage::tellTitles);
