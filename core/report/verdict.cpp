@@ -160,8 +160,12 @@ std::string lossSentence(const ReportBoard& board, const std::string& name) {
     return {};
 }
 
-/// All boards came late or left early together: the box did.
-std::string suitPresence(const ReportData& data) {
+struct Presence {
+    std::optional<double> joined_s, left_s;
+};
+
+/// Of all boards that came late or left early together: the box did.
+Presence suitPresence(const ReportData& data) {
     constexpr double kTogether_s = 1;
     const auto isTogether = [&](std::optional<double> ReportBoard::*when_s) {
         const auto& first_s = data.boards.front().*when_s;
@@ -174,8 +178,7 @@ std::string suitPresence(const ReportData& data) {
     const auto whenTogether = [&](std::optional<double> ReportBoard::*when_s) {
         return isTogether(when_s) ? data.boards.front().*when_s : std::nullopt;
     };
-    return presenceSentence("All boards ", whenTogether(&ReportBoard::joined_s),
-                            whenTogether(&ReportBoard::left_s));
+    return {whenTogether(&ReportBoard::joined_s), whenTogether(&ReportBoard::left_s)};
 }
 
 void judgeBoards(const ReportData& data, const TakeVerdict& judged, Verdict& verdict) {
@@ -183,14 +186,18 @@ void judgeBoards(const ReportData& data, const TakeVerdict& judged, Verdict& ver
         verdict.reasons.push_back("All boards lost " + text::percent(judged.lossy_boards.front().lost_share) +
                                   " of their frames together: the link to the driver box broke off or was "
                                   "too slow. Check its cable or network.");
-    const std::string suit = suitPresence(data);
-    if (!suit.empty())
-        verdict.reasons.push_back(suit);
+    const auto sayPresence = [&](const std::string& name, const Presence& there) {
+        if (std::string sentence = presenceSentence(name, there.joined_s, there.left_s); !sentence.empty())
+            verdict.reasons.push_back(std::move(sentence));
+    };
+    const Presence suit = suitPresence(data);
+    sayPresence("All boards ", suit);
     for (size_t i = 0; i < data.boards.size(); ++i) {
         const ReportBoard& board = data.boards[i];
         const std::string name = text::capitalised(boardLabel(data, static_cast<int>(i))) + " ";
-        if (board.frames_absent > 0 && suit.empty())
-            verdict.reasons.push_back(presenceSentence(name, board.joined_s, board.left_s));
+        if (board.frames_absent > 0)
+            sayPresence(name, {suit.joined_s ? std::nullopt : board.joined_s,
+                               suit.left_s ? std::nullopt : board.left_s});
         if (const std::string loss = lossSentence(board, name); !loss.empty() && !judged.lost_together)
             verdict.reasons.push_back(loss);
         if (board.clipped_gyro + board.clipped_accel > 0)

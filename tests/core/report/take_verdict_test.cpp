@@ -206,7 +206,8 @@ TEST_F(TakeVerdictTest, BoardsThatComeAndGoAreSaidSo) {
     for (const std::string& reason : judge(report_).reasons)
         reasons += reason + "\n";
     EXPECT_NE(reasons.find("All boards joined at 0:07."), std::string::npos) << reasons;
-    EXPECT_NE(reasons.find("joined at 0:07 and left at 0:12."), std::string::npos) << reasons;
+    EXPECT_NE(reasons.find("Left hand (board 8) left at 0:12."), std::string::npos) << reasons;
+    EXPECT_EQ(reasons.find("joined", reasons.find("joined") + 1), std::string::npos) << "once\n" << reasons;
     EXPECT_EQ(reasons.find("driver box"), std::string::npos) << reasons;
 }
 

@@ -113,7 +113,7 @@ TEST_P(LargeText, TheFullReportIsReadWithoutScrollingSideways) {
         const int usual = right.width();
         window_->resizeDocks({&right}, {right.maximumWidth()}, Qt::Horizontal);
         QTest::qWait(60);
-        EXPECT_GT(right.width(), usual) << look.toStdString();
+        EXPECT_TRUE(right.width() > usual || usual == right.maximumWidth()) << look.toStdString();
         expectWindowWhole(look + ", report beside a wide panel");
     });
 }
