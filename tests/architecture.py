@@ -3,7 +3,7 @@
 """Proves that the sources keep to the layout of the house: arrows point down (app -> ui -> devices -> core, among
 core's rooms as core/CMakeLists.txt links them, among a room's parts as they are listed), core knows no Qt, threads,
 clocks or environment, a library stays in its room, every file carries its licence, no two headers define one type
-name in one namespace.
+name in one namespace, every test that tests/usability.md names is there.
 
   architecture.py               checks this tree; exit code 1 and one line per complaint
   architecture.py --self-test   breaks every rule once, in memory, and sees that it is noticed
@@ -47,6 +47,8 @@ FORBIDDEN_WORDS = re.compile(r"\b(TO" r"DO|FIX" r"ME)\b|(?<![\w.])/(wo" r"rk|ro"
 NAMESPACE = re.compile(r"\bnamespace\s+([\w:]+)?\s*\{")
 TYPE = re.compile(r"(?:\btemplate\s*<[^;{]*>\s*)?\b(enum\s+class|enum|struct|class|union)\s+([\w:]+)(?<!:)\s*(?:final\s*)?"
                   r"(?::[^;{]*)?\{")
+USABILITY = "tests/usability.md"
+TESTS_NAMED = re.compile(r"`([\w/]+\.cpp): ([^`]*)`")  # `ui/style/theme_test.cpp: ThemeTest.ringGoes, ThemeTest.popups`
 LICENCE = "SPDX-License-Identifier: Apache-2.0"
 SOURCE_SUFFIXES = {".h", ".cpp"}
 SCRIPT_SUFFIXES = {".py", ".sh"}
@@ -255,8 +257,16 @@ def check_type_names(files, complaints):
             complaints.append(f"{name} is defined in {' and in '.join(sorted(paths))}")
 
 
+def check_usability(files, complaints):
+    for path, names in TESTS_NAMED.findall(files.get(USABILITY, "")):
+        for name in names.split(", "):
+            test = re.escape(name).replace(r"\.", r",\s*")
+            if not re.search(rf"^TEST(_F|_P)?\(\s*{test}\s*\)", files.get(f"tests/{path}", ""), re.MULTILINE):
+                complaints.append(f"{USABILITY}: tests/{path} has no test {name}")
+
+
 CHECKS = (check_rooms, check_parts, check_purity, check_layers, check_libraries, check_licences, check_words,
-          check_writing, check_top_level, check_build, check_type_names)
+          check_writing, check_top_level, check_build, check_type_names, check_usability)
 
 
 def complaints_about(files):
@@ -383,6 +393,8 @@ def broken_trees(files):
         ("two enumerations of one name",
          {**source("core/math/a.h", "namespace noctule { enum class Twin { kA }; }"),
           **source("ui/style/b.h", "namespace noctule { enum class Twin : int { kB }; }")}, "noctule::Twin is defined"),
+        ("test that is none", {**source("tests/ui/a_test.cpp", "TEST(Menus, AreOpened) {}"),
+                               "tests/usability.md": "`ui/a_test.cpp: Menus.AreOpened, Menus.Open`"}, "no test Menus.Open"),
         ("module without package", {"CMakeLists.txt": build + "pkg_check_modules(E REQUIRED flite)\n"}, "for flite"),
     ]
 

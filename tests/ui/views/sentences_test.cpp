@@ -54,5 +54,17 @@ TEST_F(SentencesTest, AreSaidWhereTheyAreNeeded) {
             << sentence.toStdString() << " in " << said.join(" | ").toStdString();
 }
 
+TEST_F(SentencesTest, WhatBefallsAllBoardsIsSaidOnceAndBlamesNone) {
+    ReadinessProblem problem;
+    problem.kind = ProblemKind::kBoardLosesFrames;
+    problem.value = 90;
+    problem.alike = {0, 1, 2, 3};
+    const HindranceWords words = wordsOf(problem, studio_->check());
+    EXPECT_EQ(words.title, "The stream loses frames");
+    EXPECT_TRUE(words.text.startsWith("4 boards bring about 90 of ")) << words.text.toStdString();
+    EXPECT_TRUE(words.text.contains("the link or this computer is too slow")) << words.text.toStdString();
+    EXPECT_FALSE(words.text.contains("plug")) << "no board is at fault";
+}
+
 }  // namespace
 }  // namespace noctule::ui

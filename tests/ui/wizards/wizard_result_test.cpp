@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QLabel>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <algorithm>
 
 #include "tests/ui/support/wait.h"
 #include "ui/style/theme.h"
@@ -36,6 +38,22 @@ TEST(WizardResult, AResultOpensAtItsTopWhereverTheOneBeforeWasLeft) {
     result.setDocument(longDocument(), {});
     QApplication::processEvents();
     EXPECT_EQ(bar.value(), 0);
+}
+
+TEST(WizardResult, ErrorsBeyondTheScaleAreSaidSo) {
+    Theme::install(*qApp);
+    const auto isSaid = [](double before_mm) {
+        CalibrationDocument document = longDocument();
+        document.errors = CalibrationErrors{"Errors", "mm", 1, {{"board 1", {before_mm}, {0.5}}}};
+        WizardResult result;
+        result.setDocument(document, {});
+        const auto labels = result.findChildren<QLabel*>();
+        return std::ranges::any_of(labels, [](const QLabel* label) {
+            return label->text() == "A triangle at the end of the scale: this error lies beyond it.";
+        });
+    };
+    EXPECT_FALSE(isSaid(0.8));
+    EXPECT_TRUE(isSaid(300));
 }
 
 }  // namespace
