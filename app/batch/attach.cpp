@@ -187,7 +187,7 @@ Verb attachVerb() {
         inputFile("markers", "MAP.json",
                   "C3D, TRC: which markers surround which joint, {\"Hips\": [\"LASI\", ...]}"),
         text("align", "auto|MILLISECONDS",
-             "when the recording starts on the take's clock; auto: found from the last result's motion")
+             "time of the take at which the file's time 0 is; auto: found from the last result's motion")
             .orElse("auto"),
         choice("as", {"reference", "external-root"},
                "what evaluate compares with, or the root that process --root given reads")

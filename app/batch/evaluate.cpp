@@ -7,6 +7,7 @@
 #include "core/body/text.h"
 #include "core/job/atomic_file.h"
 #include "core/job/outside_text.h"
+#include "core/math/json.h"
 #include "core/processing/evaluate_between.h"
 #include "core/processing/evaluate_points.h"
 #include "core/processing/evaluate_take.h"
@@ -120,10 +121,6 @@ Outcome orientationOutcome(const std::string& take, const OrientationEvaluation&
             std::nullopt};
 }
 
-nlohmann::json orNull(std::optional<double> value) {
-    return value ? nlohmann::json(*value) : nlohmann::json(nullptr);
-}
-
 /// Where the subjects are to each other; nothing where a reference lacks.
 Status addBetween(const VerbContext& context, const EvaluateRequest& request,
                   const std::vector<TakeSubject>& subjects, Outcome& outcome) {
@@ -146,10 +143,10 @@ Status addBetween(const VerbContext& context, const EvaluateRequest& request,
                                            {"from", pair.from},
                                            {"to", pair.to},
                                            {"rms_mm", pair.rms_mm},
-                                           {"rms_near_mm", orNull(pair.rms_near_mm)},
+                                           {"rms_near_mm", json::orNull(pair.rms_near_mm)},
                                            {"rms_world_mm", pair.rms_world_mm},
-                                           {"sigma_mm", orNull(pair.sigma_mm)},
-                                           {"nees", orNull(pair.nees)},
+                                           {"sigma_mm", json::orNull(pair.sigma_mm)},
+                                           {"nees", json::orNull(pair.nees)},
                                            {"heading_deg", pair.heading_deg}});
         outcome.text +=
             "between " + pair.a + " " + pair.from + " and " + pair.b + " " + pair.to + ": " +
@@ -296,9 +293,9 @@ Result<Outcome> runEvaluatePoints(const VerbContext& context) {
                 {{"subject", point.subject}, {"device", point.device}, {"rms_mm", point.rms_mm}});
         outcome.json["tables"].push_back({{"points", path},
                                           {"rms_mm", found->rms_mm},
-                                          {"between_rms_mm", orNull(found->between_rms_mm)},
-                                          {"between_near_rms_mm", orNull(found->between_near_rms_mm)},
-                                          {"nees", orNull(found->nees)},
+                                          {"between_rms_mm", json::orNull(found->between_rms_mm)},
+                                          {"between_near_rms_mm", json::orNull(found->between_near_rms_mm)},
+                                          {"nees", json::orNull(found->nees)},
                                           {"instants", found->instants},
                                           {"devices", points}});
         outcome.text +=

@@ -214,9 +214,9 @@ std::string describe(const ExportRequest& request, const ExportSummary& summary,
 
 /// Who stands still where no pose was captured.
 void tellHeld(const ExportSummary& summary, Outcome& outcome) {
-    if (!summary.notices.empty())
-        outcome.json["held"] = summary.notices;
-    for (const std::string& notice : summary.notices)
+    if (!summary.held.empty())
+        outcome.json["held"] = summary.held;
+    for (const std::string& notice : summary.held)
         outcome.text += notice + "\n";
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/math/order_statistics.h"
 #include "core/math/rotation.h"
 
 namespace noctule {
@@ -197,12 +198,6 @@ StillBoard averageBoard(const Observations& take, size_t board, const Stretch& s
     return sensible ? still : StillBoard{};
 }
 
-double middleOf(std::vector<double>& values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
-}
-
 std::vector<StillFlight> averageFlights(const Observations& take, const Stretch& stretch) {
     struct Heard {
         std::vector<double> flight_s, confidence;
@@ -226,11 +221,11 @@ std::vector<StillFlight> averageFlights(const Observations& take, const Stretch&
     for (auto& [pair, heard] : pairs) {
         if (heard.flight_s.size() < std::max(kLeastFlights, most / 4))
             continue;
-        const double median_s = middleOf(heard.flight_s);
+        const double median_s = middleValue(heard.flight_s);
         for (double& flight_s : heard.flight_s)
             flight_s = std::abs(flight_s - median_s);
-        means.push_back({pair.first, pair.second, median_s, 1.4826 * middleOf(heard.flight_s),
-                         middleOf(heard.confidence), heard.c_m_per_s});
+        means.push_back({pair.first, pair.second, median_s, 1.4826 * middleValue(heard.flight_s),
+                         middleValue(heard.confidence), heard.c_m_per_s});
     }
     return means;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/figure/facing.h"
+#include "core/math/order_statistics.h"
 #include "core/math/rotation.h"
 
 namespace noctule::figure {
@@ -103,7 +104,7 @@ double statureOf(const SeenMotion& seen, const JointMapping& m) {
     std::vector<double> trunks;
     for (const GlobalPose& pose : seen.poses())
         trunks.push_back(trunkOf(pose, m).norm());
-    trunk = medianOf(std::move(trunks));
+    trunk = middleValue(std::move(trunks));
     return kAdult_m * (legs + trunk) / (kAdultLegs_m + kAdultTrunk_m);
 }
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/math/order_statistics.h"
+
 namespace noctule::figure {
 
 SeenMotion::SeenMotion(const MotionClip& clip, size_t most) {
@@ -19,7 +21,7 @@ double SeenMotion::distance(int a, int b) const {
     for (const GlobalPose& pose : poses_)
         distances.push_back(
             (pose.p_world_joint[static_cast<size_t>(a)] - pose.p_world_joint[static_cast<size_t>(b)]).norm());
-    return medianOf(std::move(distances));
+    return middleValue(std::move(distances));
 }
 
 Vector3d SeenMotion::between(int frame, int from, int to) const {
@@ -42,14 +44,6 @@ double SeenMotion::meanOf(const std::function<double(const GlobalPose&)>& of) co
     for (const GlobalPose& pose : poses_)
         sum += of(pose);
     return poses_.empty() ? sum : sum / static_cast<double>(poses_.size());
-}
-
-double medianOf(std::vector<double> values) {
-    if (values.empty())
-        return 0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 std::vector<Vector3d> zeroPositions(const MotionClip& clip) {

@@ -31,9 +31,6 @@ private:
     std::vector<size_t> frames_;
 };
 
-/// The middle one of some numbers; 0 of none.
-double medianOf(std::vector<double> values);
-
 /// Joint positions where all frames are parallel to the world. Animated joint positions replace the offsets.
 std::vector<Vector3d> zeroPositions(const MotionClip& clip);
 

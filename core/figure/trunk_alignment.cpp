@@ -4,6 +4,7 @@
 
 #include "core/figure/aligner.h"
 #include "core/figure/facing.h"
+#include "core/math/order_statistics.h"
 #include "core/math/rotation.h"
 
 namespace noctule::figure {
@@ -97,7 +98,7 @@ double Aligner::zeroBend() const {
     std::vector<double> moving;
     for (const GlobalPose& pose : seen_.poses())
         moving.push_back(bend(pose.p_world_joint));
-    return zero - medianOf(moving);
+    return zero - middleValue(moving);
 }
 
 bool Aligner::trunkStands() const {

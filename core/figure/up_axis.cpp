@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/figure/facing.h"
+#include "core/math/order_statistics.h"
 #include "core/math/rotation.h"
 
 namespace noctule::figure {
@@ -64,7 +65,7 @@ double floorEvidence(const SeenMotion& seen, const JointMapping& mapping, const 
     std::sort(lowest.begin(), lowest.end());
     const size_t tenth = lowest.size() / 10;
     const double spread = lowest[lowest.size() - 1 - tenth] - lowest[tenth];
-    return std::clamp(1 - spread / (0.2 * medianOf(legs)), 0.0, 1.0);
+    return std::clamp(1 - spread / (0.2 * middleValue(legs)), 0.0, 1.0);
 }
 
 }  // namespace

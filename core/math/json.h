@@ -44,6 +44,22 @@ inline Json parse(std::string_view text) {
     return Json::parse(text, nullptr, false);
 }
 
+/// Null for what is missing or not finite.
+template <class T>
+Json orNull(const std::optional<T>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
+inline Json orNull(double value) {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+inline Json orNull(const std::optional<double>& value) {
+    return value ? orNull(*value) : Json(nullptr);
+}
+/// Null for no text.
+inline Json textOrNull(const std::string& text) {
+    return text.empty() ? Json(nullptr) : Json(text);
+}
+
 /// A finite number.
 inline std::optional<double> number(const Json& value) {
     if (!value.is_number())

@@ -8,7 +8,16 @@
 
 namespace noctule {
 
-/// 0 of nothing.
+/// The middle one of the values, the upper one of two; 0 of nothing.
+inline double middleValue(std::vector<double> values) {
+    if (values.empty())
+        return 0;
+    const auto middle = values.begin() + std::ssize(values) / 2;
+    std::ranges::nth_element(values, middle);
+    return *middle;
+}
+
+/// The mean of the two middle ones of an even number; 0 of nothing.
 inline double medianOf(std::vector<double> values) {
     if (values.empty())
         return 0;

@@ -48,9 +48,12 @@ void Smoother::integrateBetween(size_t step, OrientationRun& out) const {
     const Vector3d mismatch =
         step == 0 ? Vector3d::Zero()
                   : logQuaternion(steps_[step - 1].nominal.q_world_sensor * back.front().conjugate());
+    double length_s = 0, gone_s = 0;
+    for (size_t i = begin; i < end; ++i)
+        length_s += samples_.interval_s(i) + samples_.pause_s(i);
     for (size_t i = begin; i < end; ++i) {
-        const double share = double(end - 1 - i) / double(end - begin);
-        out.q_world_sensor[i] = expQuaternion(share * mismatch) * back[i - begin + 1];
+        gone_s += samples_.interval_s(i) + samples_.pause_s(i);
+        out.q_world_sensor[i] = expQuaternion((1 - gone_s / length_s) * mismatch) * back[i - begin + 1];
         out.heading_sigma_rad[i] = std::sqrt(steps_[step].P(kTurn + 1, kTurn + 1));
     }
 }

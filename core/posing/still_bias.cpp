@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/math/order_statistics.h"
+
 namespace noctule::posing {
 
 namespace {
@@ -37,11 +39,6 @@ Spread spreadOf(const std::vector<Vector3d>& values, size_t begin, size_t count)
     spread.mean = sum / double(count);
     spread.deviation = std::sqrt(std::max(0.0, squares / double(count) - spread.mean.squaredNorm()));
     return spread;
-}
-
-double median(std::vector<double> values) {
-    std::ranges::nth_element(values, values.begin() + std::ssize(values) / 2);
-    return values[values.size() / 2];
 }
 
 /// Short gaps become straight lines, axis by axis: a turn that is left out would stay.
@@ -78,7 +75,7 @@ std::optional<Vector3d> stillBias_rad_per_s(const ImuSamples& samples) {
         std::vector<double> values;
         for (const Vector3d& rest : rests)
             values.push_back(rest[axis]);
-        bias[axis] = median(std::move(values));
+        bias[axis] = middleValue(std::move(values));
     }
     return bias;
 }

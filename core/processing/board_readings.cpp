@@ -10,6 +10,8 @@ namespace noctule {
 namespace {
 
 constexpr double kLowestRate_hz = 10, kHighestRate_hz = 10'000;
+/// Share of a board's readings; stamps of which more is wrong say nothing of the others.
+constexpr double kMostLeftOut = 0.1;
 
 Error readingsError(const Take& take, const std::string& what, const std::string& remedy) {
     return {ErrorKind::kUnusable, take.path() + ": " + what, remedy};
@@ -28,9 +30,31 @@ double usualStep(const std::vector<InertialReading>& rows) {
     std::vector<double> steps;
     for (size_t i = 1; i < rows.size(); ++i)
         steps.push_back((rows[i].sample - rows[i - 1].sample) / double(rows[i].frame - rows[i - 1].frame));
-    const auto middle = steps.begin() + std::ssize(steps) / 2;
+    // The lower middle: packets of two equal stamps count as equal stamps.
+    const auto middle = steps.begin() + (std::ssize(steps) - 1) / 2;
     std::ranges::nth_element(steps, middle);
     return *middle;
+}
+
+/// The rows of a longest sequence of rising instants: outliers, alone or several in a row, are not of it.
+std::vector<bool> longestRise(const std::vector<InertialReading>& rows) {
+    std::vector<size_t> ends;  // by length: the row at which the lowest sequence of that length ends
+    std::vector<size_t> before(rows.size());
+    for (size_t i = 0; i < rows.size(); ++i) {
+        const auto place =
+            std::ranges::lower_bound(ends, rows[i].sample, {}, [&](size_t row) { return rows[row].sample; });
+        before[i] = place == ends.begin() ? i : *std::prev(place);
+        if (place == ends.end())
+            ends.push_back(i);
+        else
+            *place = i;
+    }
+    std::vector<bool> kept(rows.size(), false);
+    for (size_t i = ends.back();; i = before[i]) {
+        kept[i] = true;
+        if (before[i] == i)
+            return kept;
+    }
 }
 
 }  // namespace
@@ -85,17 +109,14 @@ ReadingsOfBoards::Placement ReadingsOfBoards::byStamps(const std::vector<Inertia
                                                        double usual_step) const {
     Placement out{{}, {}, false};
     const double longest = ImuSamples::kLongestStep_s * sample_rate_hz_;
+    const std::vector<bool> kept = longestRise(rows);
     int64_t last_frame = 0;
     for (size_t i = 0; i < rows.size(); ++i) {
-        const double at = rows[i].sample;
-        const bool rises = out.sample.empty() || at > out.sample.back();
-        // A stamp later than the next one is an outlier.
-        const bool leaps = rises && i + 1 < rows.size() && rows[i + 1].sample <= at &&
-                           (out.sample.empty() || rows[i + 1].sample > out.sample.back());
-        if (!rises || leaps) {
+        if (!kept[i]) {
             out.row_of.push_back(Placement::kNoRow);
             continue;
         }
+        const double at = rows[i].sample;
         if (!out.sample.empty()) {
             const double gap = at - out.sample.back(), before = out.sample.back();
             // As many lost ones as the frames count, unless the time has no room for them.
@@ -132,6 +153,13 @@ Result<BoardReadings> ReadingsOfBoards::of(size_t board, const Take& take) const
             "board " + suit_.boards[board].id + " reads at " + std::to_string(out.samples.rate_hz) + " Hz",
             "Orientation needs 10 to 10000 readings a second");
     fill(rows, board, by_line ? onLine(rows, step) : byStamps(rows, usual_step), out);
+    if (double(out.left_out) > kMostLeftOut * double(rows.size()))
+        return readingsError(take,
+                             "board " + suit_.boards[board].id +
+                                 ": the time stamps stand still or jump back, which would leave out " +
+                                 std::to_string(out.left_out) + " of " + std::to_string(rows.size()) +
+                                 " readings",
+                             "Record again or import a file whose time rises from row to row");
     return out;
 }
 

@@ -16,7 +16,7 @@ struct BoardReadings {
     ImuSamples samples;
     std::vector<int64_t> time_ns;  ///< of the suit's clock
     size_t missing = 0;            ///< rows without gyroscope or accelerometer
-    size_t left_out = 0;           ///< readings whose instant is not after that of the one before
+    size_t left_out = 0;           ///< readings whose instant falls out of the order of the others
 };
 
 /// With nominal values for the boards that `known` lacks.
@@ -37,7 +37,7 @@ public:
     Status gather(const Take& take, const JobContext& job);
     /// Nothing of a board with fewer than two rows. Instants of a regular stream are taken from a line
     /// through them, which has no jitter; those of another count as they are. kUnusable: a rate outside 10 to
-    /// 10000 Hz.
+    /// 10000 Hz, or more than a tenth of the readings out of order.
     Result<BoardReadings> of(size_t board, const Take& take) const;
 
 private:

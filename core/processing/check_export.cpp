@@ -51,7 +51,8 @@ Result<ExpectedMotion> expectedMotion(const Take& take, const ExportRequest& req
             end_ns = time_ns;
         }
     if (const auto seen = sampler.seen(); seen && request.holds_ends)
-        expected.held = heldInWords(request.subject, *seen, toNs(expected.begin_s), end_ns);
+        expected.held =
+            heldInWords(request.subject, *seen, toNs(expected.begin_s), end_ns, toNs(expected.frame_time_s));
     if (!request.with_body || !request.worn)
         return expected;
     const auto contacts = contactsInForce(take, run, *motion);

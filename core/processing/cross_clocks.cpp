@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/order_statistics.h"
+
 namespace noctule {
 namespace {
 
@@ -26,12 +28,6 @@ Calibration calibrationOf(const Take& take, int suit) {
         return std::move(stored->value);
     const auto described = take.suit(suit);
     return described ? nominalCalibration(*described) : Calibration{};
-}
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + std::ssize(values) / 2;
-    std::ranges::nth_element(values, middle);
-    return *middle;
 }
 
 }  // namespace
@@ -120,9 +116,9 @@ Status CrossClocks::findOtherClocks(const Take& take, const TakeClocks& known) {
             return walked;
     }
     for (auto& [pair, of] : differences) {
-        const double guess_m = std::abs(median(std::move(of.by_guess_m)));
+        const double guess_m = std::abs(middleValue(std::move(of.by_guess_m)));
         by_other_clocks_[pair] = known.knows(pair.first) && known.knows(pair.second)
-                                     ? std::abs(median(std::move(of.by_best_m))) < guess_m
+                                     ? std::abs(middleValue(std::move(of.by_best_m))) < guess_m
                                      : guess_m > kByOtherClocks_m;
     }
     return Done{};

@@ -62,7 +62,8 @@ Result<ExportedMotion> cut(const Take& take, const RunMotion& from, const Export
             }
         }
         if (const auto seen = sampler.seen(); seen && request.holds_ends)
-            exported.held = heldInWords(request.subject, *seen, toNs(exported.begin_s), end_ns);
+            exported.held =
+                heldInWords(request.subject, *seen, toNs(exported.begin_s), end_ns, toNs(clip.frame_time_s));
     }
     if (clip.frames.empty())
         return Error{ErrorKind::kUnusable, take.path() + ": there is no pose in the part to export",

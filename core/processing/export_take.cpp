@@ -122,7 +122,7 @@ private:
         if (is_first_round) {
             const bool is_same_time = take > 0 && !takes_[take].character.empty();
             summary_.run = exported->run;
-            std::ranges::copy(exported->held, std::back_inserter(summary_.notices));
+            std::ranges::copy(exported->held, std::back_inserter(summary_.held));
             summary_.frames += is_same_time ? 0 : exported->clip.frames.size();
             summary_.duration_s += is_same_time ? 0 : exported->clip.duration_s();
         }

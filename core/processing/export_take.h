@@ -61,8 +61,8 @@ struct ExportSummary {
     size_t film_frames = 0;  ///< of a film
     double duration_s = 0;
     std::vector<std::string> files;
-    double begin_s = 0;                  ///< of the take's clock: time 0 of the files
-    std::vector<std::string> notices{};  ///< whole sentences: who holds a pose where none was captured
+    double begin_s = 0;               ///< of the take's clock: time 0 of the files
+    std::vector<std::string> held{};  ///< whole sentences: who holds a pose where none was captured
 };
 
 /// One format: its name on the command line, the ending of its files, and where its path stands.

@@ -18,13 +18,13 @@ std::string instantText(int64_t time_ns, int64_t held_ns) {
 }  // namespace
 
 std::vector<std::string> heldInWords(const std::string& who, const PoseSpan& seen, int64_t begin_ns,
-                                     int64_t end_ns) {
+                                     int64_t end_ns, int64_t frame_ns) {
     std::vector<std::string> said;
     const std::string until = instantText(seen.first_ns, seen.first_ns - begin_ns);
     const std::string from = instantText(seen.last_ns, end_ns - seen.last_ns);
-    if (begin_ns < seen.first_ns)
+    if (seen.first_ns - begin_ns >= frame_ns)
         said.push_back(who + " holds its first pose until " + until + " s.");
-    if (end_ns > seen.last_ns)
+    if (end_ns - seen.last_ns >= frame_ns)
         said.push_back(who + " holds its last pose from " + from + " s on.");
     return said;
 }

@@ -16,13 +16,8 @@ nlohmann::json list(const std::vector<T>& values, ToJson toJson) {
     return array;
 }
 
-nlohmann::json numberOrNull(const std::optional<double>& value) {
-    return value ? nlohmann::json(*value) : nlohmann::json(nullptr);
-}
-
-nlohmann::json textOrNull(const std::string& text) {
-    return text.empty() ? nlohmann::json(nullptr) : nlohmann::json(text);
-}
+using json::orNull;
+using json::textOrNull;
 
 /// What stands on the time axis of one suit.
 nlohmann::json timedRowsJson(const SuitInspection& in) {
@@ -71,8 +66,8 @@ nlohmann::json qualityJson(const SuitInspection& in) {
                                  return json{{"board", board.id},
                                              {"frames_expected", board.frames_expected},
                                              {"frames_lost", board.frames_lost},
-                                             {"joined_s", numberOrNull(board.joined_s)},
-                                             {"left_s", numberOrNull(board.left_s)},
+                                             {"joined_s", orNull(board.joined_s)},
+                                             {"left_s", orNull(board.left_s)},
                                              {"readings_expected", board.readings_expected},
                                              {"readings_present", board.readings_present},
                                              {"clipped", board.clipped_gyro + board.clipped_accel},

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/json.h"
 #include "core/robot/drive_csv.h"
 
 namespace noctule {
@@ -119,9 +120,6 @@ nlohmann::json toJson(const DriveSummary& summary) {
             hand["tracking"] = trackingJson(*tracking);
         hands.push_back(std::move(hand));
     }
-    const auto orNull = [](const auto& value) {
-        return value ? nlohmann::json(*value) : nlohmann::json(nullptr);
-    };
     return {{"drive", about.drive},
             {"created_utc", about.created_utc},
             {"robot", about.robot},
@@ -129,14 +127,14 @@ nlohmann::json toJson(const DriveSummary& summary) {
             {"leader", about.leader},
             {"rate_hz", about.rate_hz},
             {"joints", about.joints},
-            {"take_time_s", orNull(secondsOf(about.take_time_ns))},
+            {"take_time_s", json::orNull(secondsOf(about.take_time_ns))},
             {"duration_s", summary.duration_s},
             {"commands", summary.commands},
             {"commands_following", summary.following},
             {"commands_missing", summary.missing},
             {"states", summary.states},
             {"lost_rows", about.lost_rows},
-            {"pose_to_command_median_ms", orNull(summary.pose_to_command_ms)},
+            {"pose_to_command_median_ms", json::orNull(summary.pose_to_command_ms)},
             {"hands", std::move(hands)}};
 }
 

@@ -9,6 +9,7 @@
 #include "core/estimation/paper_parameters.h"
 #include "core/job/text_hash.h"
 #include "core/live/estimators.h"
+#include "core/math/json.h"
 
 namespace noctule {
 namespace {
@@ -30,10 +31,6 @@ const EstimatorEntry& estimatorOf(const ProcessRequest& request) {
     const EstimatorEntry* entry = findEstimator(request.tracker.estimator);
     require(entry != nullptr, "an estimator that was checked before");
     return *entry;
-}
-
-nlohmann::json orNull(const std::optional<int64_t>& number) {
-    return number ? nlohmann::json(*number) : nlohmann::json(nullptr);
 }
 
 /// Everything that a pose run was made with; `made_by` is the hash of it all.
@@ -71,8 +68,8 @@ nlohmann::json settingsJson(const ProcessRequest& request, const std::vector<Ing
         made += toJson(of.suit).dump() + toJson(of.calibration).dump() + toJson(of.actor).dump();
         list.push_back({{"name", of.subject.name},
                         {"suit", of.subject.suit()},
-                        {"calibration_id", orNull(of.calibration_id)},
-                        {"actor_id", orNull(of.actor_id)}});
+                        {"calibration_id", json::orNull(of.calibration_id)},
+                        {"actor_id", json::orNull(of.actor_id)}});
     }
     settings["made_by"] = textHash(made);
     if (subjects.size() > 1 || in.subject.suit() != 1)

@@ -119,7 +119,7 @@ Status Take::forEachCrossRange(int64_t run, int suit,
             if (!isSample(sample) || !arrival || !distance || !isShare(w_s) || !isShare(w_t))
                 return "a number is missing or out of range";
             if (std::abs(*distance) > limits::kFarthestHeard_m)
-                return "the distance is beyond 20 m, farther than sound carries";
+                return kTooFar;
             out.from_suit = owner->first;
             out.range = {};
             out.range.pulse = row.integer(0).value_or(0);

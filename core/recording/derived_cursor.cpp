@@ -72,8 +72,6 @@ std::optional<double> confidence(const Statement& row, int column) {
 }
 
 constexpr double kNearlyAll = 0.9;
-constexpr const char* kTooFar = "the distance is beyond 20 m, farther than sound carries";
-static_assert(limits::kFarthestHeard_m == 20);
 
 RowVerdict readRange(const Statement& row, const RunOfTake& run, RangeMeasurement& range) {
     const auto pulse_sample = row.integer(1);

@@ -29,6 +29,9 @@ private:
 
 /// Why a row cannot be used; empty: it can.
 using RowVerdict = std::string;
+/// Of a distance, among the ranges of a suit and those between suits.
+inline constexpr const char* kTooFar = "the distance is beyond 20 m, farther than sound carries";
+static_assert(limits::kFarthestHeard_m == 20);
 
 /// Calls `read` for every row of the query. Column 0 names the row in the log. A Row that `read` finds good
 /// goes to `sink`, which stops the walk by false; the log then knows of the rows up to there. Rows beyond the

@@ -336,7 +336,9 @@ Result<int64_t> Take::sampleCount(int suit) const {
                      : metaNumber(meta_, "sample_rate_hz", 1, 1, limits::kHighestRate_hz);
     };
     if (stated > 0 && level() == TakeLevel::kReadings)
-        return std::llround(stated * rate_hz(suit) / rate_hz(1));
+        return std::llround(
+            std::max(0.0, suitClock(suit).suitTime_s(suitClock(1).takeTime_s(stated / rate_hz(1)))) *
+            rate_hz(suit));
     if (level() == TakeLevel::kReadings)
         return samplesOfReadings(*database_, *schema_, suit, lastSample(),
                                  limits::kLongestHole_s * std::llround(rate_hz(suit)));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/report/evaluation_json.h"
 
+#include "core/math/json.h"
 #include "core/report/range_statistics.h"
 #include "core/report/verdict.h"
 
@@ -9,44 +10,38 @@ namespace {
 
 using Json = nlohmann::json;
 
-Json finite(double value) {
-    return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
-Json finite(const std::optional<double>& value) {
-    return value ? finite(*value) : Json(nullptr);
-}
+using json::orNull;
 
 Json jointJson(const JointComparison& joint) {
     return {{"name", joint.name},
-            {"mean_deg", finite(joint.angle.mean_deg)},
-            {"std_deg", finite(joint.angle.std_deg)},
-            {"rms_deg", finite(joint.angle.rms_deg)},
-            {"median_deg", finite(joint.angle.median_deg)},
-            {"p95_deg", finite(joint.angle.p95_deg)},
-            {"max_deg", finite(joint.angle.max_deg)},
-            {"drift_deg_per_min", finite(joint.angle.drift_deg_per_min)},
-            {"position_mm", finite(joint.position_mm)},
-            {"nees", finite(joint.nees)},
+            {"mean_deg", orNull(joint.angle.mean_deg)},
+            {"std_deg", orNull(joint.angle.std_deg)},
+            {"rms_deg", orNull(joint.angle.rms_deg)},
+            {"median_deg", orNull(joint.angle.median_deg)},
+            {"p95_deg", orNull(joint.angle.p95_deg)},
+            {"max_deg", orNull(joint.angle.max_deg)},
+            {"drift_deg_per_min", orNull(joint.angle.drift_deg_per_min)},
+            {"position_mm", orNull(joint.position_mm)},
+            {"nees", orNull(joint.nees)},
             {"relative_to", joint.relative_to}};
 }
 
 void addComparison(Json& out, const Comparison& c) {
     for (const JointComparison& joint : c.joints)
         out["joints"].push_back(jointJson(joint));
-    out["mean_deg"] = finite(c.mean_deg);
-    out["end_effector_mm"] = finite(c.end_effector_mm);
-    out["root"] = {{"yaw_deg", finite(c.root.yaw_deg)},
-                   {"tilt_deg", finite(c.root.tilt_deg)},
-                   {"position_m", finite(c.root.position_m)}};
-    out["nees"] = finite(c.nees);
-    out["duration_s"] = finite(c.duration_s);
+    out["mean_deg"] = orNull(c.mean_deg);
+    out["end_effector_mm"] = orNull(c.end_effector_mm);
+    out["root"] = {{"yaw_deg", orNull(c.root.yaw_deg)},
+                   {"tilt_deg", orNull(c.root.tilt_deg)},
+                   {"position_m", orNull(c.root.position_m)}};
+    out["nees"] = orNull(c.nees);
+    out["duration_s"] = orNull(c.duration_s);
     out["frames"] = {{"compared", c.frames},
                      {"estimate_missing", c.estimate_missing},
                      {"reference_missing", c.reference_missing},
                      {"unmatched", c.unmatched}};
     out["reference_offset_s"] = static_cast<double>(c.offset.add_to_reference_ns) * 1e-9;
-    out["reference_correlation"] = finite(c.offset.correlation);
+    out["reference_correlation"] = orNull(c.offset.correlation);
 }
 
 Json rangesJson(const RangeStatistics& r) {
@@ -58,15 +53,15 @@ Json rangesJson(const RangeStatistics& r) {
             {"unused", r.of(PulseFate::kUnused)},
             {"occluded", r.of(PulseFate::kOccluded)},
             {"missing", r.of(PulseFate::kMissing)},
-            {"residual_rms_mm", residual_m ? finite(1000 * *residual_m) : Json(nullptr)}};
+            {"residual_rms_mm", residual_m ? orNull(1000 * *residual_m) : Json(nullptr)}};
 }
 
 Json boardJson(const ReportBoard& board) {
     return {{"id", board.id},
             {"frames_expected", board.frames_expected},
             {"frames_lost", board.frames_lost},
-            {"joined_s", finite(board.joined_s)},
-            {"left_s", finite(board.left_s)},
+            {"joined_s", orNull(board.joined_s)},
+            {"left_s", orNull(board.left_s)},
             {"readings_expected", board.readings_expected},
             {"readings_present", board.readings_present},
             {"clipped_gyro", board.clipped_gyro},
@@ -89,7 +84,7 @@ Json evaluationJson(const ReportData& data, const ReportRun& run) {
                 {"estimator", run.estimator},
                 {"smoother", run.smoother},
                 {"root_given", run.root_given},
-                {"rest_s", finite(data.take.rest_s)},
+                {"rest_s", orNull(data.take.rest_s)},
                 {"reference_kind", data.take.reference_kind}};
     if (run.comparison)
         addComparison(out, *run.comparison);

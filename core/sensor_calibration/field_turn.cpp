@@ -5,19 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/order_statistics.h"
+
 namespace noctule {
 namespace {
 
 constexpr size_t kFewestReadings = 20;
 constexpr double kClip_ut = FieldTurnLimits::kFullScale_ut * 2046 / 2048;
-
-double middleOfField(std::vector<double> values) {
-    if (values.empty())
-        return 0;
-    const auto middle = values.begin() + static_cast<long>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 bool isField(const std::optional<Vector3d>& field) {
     return field && field->allFinite() && field->norm() > FieldTurnLimits::kLeastField_ut;
@@ -29,7 +23,7 @@ double usualLength(const std::vector<SpotMoment>& moments, size_t sensor) {
     for (const SpotMoment& moment : moments)
         if (isField(moment.field_ut[sensor]))
             lengths.push_back(moment.field_ut[sensor]->norm());
-    return middleOfField(lengths);
+    return middleValue(lengths);
 }
 
 double dipOf_deg(const Vector3d& field, const Vector3d& up) {
@@ -94,7 +88,7 @@ FieldTurnState FieldTurn::stateNow() const {
     std::vector<double> lengths;
     for (const Vector3d& reading : readings_)
         lengths.push_back(reading.norm());
-    if (middleOfField(lengths) < Limits::kLeastField_ut)
+    if (middleValue(lengths) < Limits::kLeastField_ut)
         return FieldTurnState::kNoField;
     if (sphere_.share() < Limits::kEnoughShare || !is_fitted_)
         return FieldTurnState::kGoing;
@@ -112,7 +106,7 @@ std::vector<bool> carriesIron(const std::vector<std::optional<double>>& uneven_p
             if (other != sensor && uneven_percent[other])
                 others.push_back(*uneven_percent[other]);
         iron[sensor] = !others.empty() && *uneven_percent[sensor] > FieldTurnLimits::kMostUneven_percent &&
-                       *uneven_percent[sensor] > FieldTurnLimits::kIronOverOthers * middleOfField(others);
+                       *uneven_percent[sensor] > FieldTurnLimits::kIronOverOthers * middleValue(others);
     }
     return iron;
 }
@@ -131,9 +125,9 @@ SpotField spotField(const std::vector<SpotMoment>& moments) {
     }
     std::vector<double> strengths;
     std::ranges::copy_if(usual, std::back_inserter(strengths), [](double length) { return length > 0; });
-    spot.strength_ut = middleOfField(strengths);
+    spot.strength_ut = middleValue(strengths);
     if (!dips.empty())
-        spot.dip_deg = middleOfField(dips);
+        spot.dip_deg = middleValue(dips);
     double squares = 0;
     for (const SpotMoment& moment : moments) {
         std::vector<double> changes;
@@ -142,7 +136,7 @@ SpotField spotField(const std::vector<SpotMoment>& moments) {
                 changes.push_back(moment.field_ut[sensor]->norm() / usual[sensor] - 1);
         if (changes.empty())
             continue;
-        const double change = middleOfField(changes);
+        const double change = middleValue(changes);
         ++spot.moments;
         squares += change * change;
         spot.uneven_percent = std::max(spot.uneven_percent, 100 * std::abs(change));
@@ -161,7 +155,7 @@ std::optional<double> strongerBy_percent(const std::vector<SpotMoment>& earlier,
         if (before > 0 && after > 0)
             changes.push_back(100 * (after / before - 1));
     }
-    return changes.empty() ? std::nullopt : std::optional(middleOfField(changes));
+    return changes.empty() ? std::nullopt : std::optional(middleValue(changes));
 }
 
 }  // namespace noctule

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "core/math/linear_solvers.h"
+#include "core/math/order_statistics.h"
 
 namespace noctule {
 
@@ -19,13 +20,6 @@ constexpr double kMostZeroSigma = 0.03;  ///< of the field's strength
 constexpr double kMostSoftIron = 3;      ///< longest over shortest axis
 constexpr double kMostResidual = 0.1;    ///< of the strength
 constexpr double kCell = 0.12;           ///< of the spread: readings in one cell count once
-
-double middleOf(std::vector<double> values) {
-    if (values.empty())
-        return 0;
-    std::nth_element(values.begin(), values.begin() + long(values.size() / 2), values.end());
-    return values[values.size() / 2];
-}
 
 /// Means of the readings in cells, so that a sensor that lay still counts no more than one that turned.
 std::vector<Vector3d> evenPoints(const std::vector<Vector3d>& readings) {
@@ -41,7 +35,7 @@ std::vector<Vector3d> evenPoints(const std::vector<Vector3d>& readings) {
     std::vector<double> distances;
     for (const Vector3d& reading : good)
         distances.push_back((reading - middle).norm());
-    const double cell = kCell * middleOf(distances);
+    const double cell = kCell * middleValue(distances);
     if (!(cell > 0))
         return {};
     std::map<std::array<long, 3>, std::pair<Vector3d, int>> cells;
@@ -180,7 +174,7 @@ FieldBlock fieldBlock(const ImuSamples& samples, size_t begin, size_t end) {
                 samples.gyro_rad_per_s[i].norm() < kQuietRate_rad_per_s;
     }
     block.read = !strengths.empty();
-    block.strength = middleOf(strengths);
+    block.strength = middleValue(strengths);
     if (quiet && block.read && force.allFinite())
         block.dip_deg =
             degrees(std::asin(std::clamp(-field.normalized().dot(force.normalized()), -1.0, 1.0)));
@@ -201,9 +195,9 @@ FieldCheck checkField(const ImuSamples& samples) {
         if (std::isfinite(blocks.back().dip_deg))
             dips.push_back(blocks.back().dip_deg);
     }
-    check.strength = middleOf(strengths);
+    check.strength = middleValue(strengths);
     check.has_dip = !dips.empty();
-    check.dip_deg = middleOf(dips);
+    check.dip_deg = middleValue(dips);
     size_t bent = 0;
     bool going_on = false;
     for (size_t b = 0; b < blocks.size(); ++b) {

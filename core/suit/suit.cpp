@@ -12,14 +12,10 @@ namespace noctule {
 
 namespace {
 
-nlohmann::json textOrNull(const std::string& text) {
-    return text.empty() ? nlohmann::json(nullptr) : nlohmann::json(text);
-}
-
 nlohmann::json toJson(const Board& board) {
     nlohmann::json members{{"id", board.id},
-                           {"serial", textOrNull(board.serial)},
-                           {"segment", textOrNull(board.segment)},
+                           {"serial", json::textOrNull(board.serial)},
+                           {"segment", json::textOrNull(board.segment)},
                            {"p_segment_board_m", json::fromVector(board.p_segment_board_m)},
                            {"q_segment_board", json::fromQuaternion(board.q_segment_board)},
                            {"stream", board.has_magnetometer ? "imu9" : "imu6"},
@@ -38,8 +34,8 @@ nlohmann::json toJson(const Board& board) {
 
 nlohmann::json toJson(const Source& source) {
     nlohmann::json members{{"id", source.id},
-                           {"serial", textOrNull(source.serial)},
-                           {"segment", textOrNull(source.segment)},
+                           {"serial", json::textOrNull(source.serial)},
+                           {"segment", json::textOrNull(source.segment)},
                            {"p_segment_source_m", json::fromVector(source.p_segment_source_m)},
                            {"normal_segment", json::fromVector(source.normal_segment)},
                            {"nominal_hz", source.nominal_hz}};

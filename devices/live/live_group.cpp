@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "devices/live/live_plans.h"
@@ -216,70 +215,39 @@ void LiveGroup::stop() {
     }
 }
 
-std::string LiveGroup::missingInWords(size_t index, double missing_s, bool is_lost,
-                                      bool others_went_on) const {
-    char text[160];
-    if (!is_lost)
-        std::snprintf(text, sizeof text,
-                      " came late: when the recording was stopped, its last %.1f s were not there yet. "
-                      "They are marked as a gap.",
-                      missing_s);
-    else if (others_went_on)
-        std::snprintf(text, sizeof text,
-                      " was lost after %.1f s and did not come back; the last %.1f s of it are missing "
-                      "and marked as a gap. The other suits were recorded on.",
-                      reachedOf_s(index), missing_s);
-    else
-        std::snprintf(text, sizeof text,
-                      " was lost after %.1f s and did not come back; the last %.1f s of it are missing "
-                      "and marked as a gap.",
-                      reachedOf_s(index), missing_s);
-    return asSentence(nameOf(index)) + text;
-}
-
-/// One per suit.
-std::vector<LiveGroup::Missing> LiveGroup::markMissing() {
+void LiveGroup::markMissing() {
     const auto rateOf_hz = [&](size_t i) {
         const auto hello = session(i).status()->hello;
         return static_cast<double>(hello ? hello->sample_rate_hz : 1);
     };
-    std::vector<Missing> missing(size());
-    std::vector<bool> is_lost(size());
+    std::vector<MissingEnd> ends(size());
     double end_s = 0;
     for (size_t i = 0; i < size(); ++i) {
         const auto until = session(i).brokenOffUntil();
-        missing[i].broke_off = until.has_value();
-        is_lost[i] = until || !members_[i].flowed_to_the_end || session(i).status()->trouble;
+        ends[i].broke_off = until.has_value();
+        ends[i].is_lost = until || !members_[i].flowed_to_the_end || session(i).status()->trouble;
         end_s = std::max({end_s, reachedOf_s(i), static_cast<double>(until.value_or(0)) / rateOf_hz(i)});
     }
-    const bool one_went_on = std::ranges::find(is_lost, false) != is_lost.end();
+    const bool one_went_on = !std::ranges::all_of(ends, &MissingEnd::is_lost);
     for (size_t i = 0; i < size(); ++i) {
-        const double missing_s = end_s - reachedOf_s(i);
-        const auto recording = session(i).recording();
-        const bool is_whole = missing_s < LiveSession::kWorthMarking_s && !missing[i].broke_off;
-        if (is_whole || !recording || recording->ended)
+        if (end_s - reachedOf_s(i) < LiveSession::kWorthMarking_s && !ends[i].broke_off)
             continue;
-        missing[i].said = missingInWords(i, missing_s, is_lost[i], one_went_on);
-        session(i).markMissing(std::llround(end_s * rateOf_hz(i)));
+        ends[i].until = std::llround(end_s * rateOf_hz(i));
+        ends[i].who = asSentence(nameOf(i));
+        ends[i].others_went_on = one_went_on;
+        session(i).markMissing(ends[i]);
     }
-    return missing;
 }
 
 std::vector<StreamResult> LiveGroup::finish(std::optional<double> patience_s) {
     const int64_t begun_ns = steadyNow_ns();
-    const std::vector<Missing> missing = markMissing();
+    markMissing();
     std::vector<StreamResult> results;
     std::optional<double> left_s;
     for (size_t i = 0; i < size(); ++i) {
         if (patience_s)
             left_s = std::max(0.0, *patience_s - static_cast<double>(steadyNow_ns() - begun_ns) * 1e-9);
         results.push_back(session(i).finish(left_s));
-        StreamResult& result = results.back();
-        if (missing[i].said.empty())
-            continue;
-        result.warnings.insert(result.warnings.begin(), missing[i].said);
-        if (missing[i].broke_off && !result.trouble)
-            result.trouble = session(i).lostError();
     }
     return results;
 }

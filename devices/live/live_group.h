@@ -94,13 +94,8 @@ private:
     StreamRequest requestOf(const GroupRequest& request, size_t index) const;
     Result<Prepared> prepare(const GroupRequest& request, const std::vector<SuitVoice>& voices);
     const std::string& nameOf(size_t index) const { return members_[index].name; }
-    /// What a suit lacks at the end of the take.
-    struct Missing {
-        std::string said;        ///< a whole sentence or two; empty: nothing
-        bool broke_off = false;  ///< its link was stalled or lost
-    };
-    std::vector<Missing> markMissing();
-    std::string missingInWords(size_t index, double missing_s, bool is_lost, bool others_went_on) const;
+    /// Of suits whose sound ends before that of the others.
+    void markMissing();
 
     std::vector<Member> members_;
     std::string path_;

@@ -44,6 +44,17 @@ struct SessionStatus {
     int64_t reconnections = 0;
 };
 
+/// What a suit's part of a take lacks at its end.
+struct MissingEnd {
+    int64_t until = 0;      ///< a sample of the take
+    std::string who{};      ///< begins a sentence; empty: the only suit
+    bool is_lost = true;    ///< else it came late
+    bool broke_off = true;  ///< its link was stalled or lost
+    bool others_went_on = false;
+
+    std::string inWords(double from_s, double missing_s) const;
+};
+
 class LiveSession {
 public:
     static constexpr double kLongestPreRoll_s = 10;
@@ -106,10 +117,8 @@ public:
     /// Of what began last, on its clock: where its sound should have ended, when it broke off and did not
     /// come back before stop() or now.
     std::optional<int64_t> brokenOffUntil() const;
-    /// The same as a gap of the take; finish() does it where nobody did before.
-    void markMissing(int64_t until);
-    /// What a take's result has for its trouble when its sound broke off.
-    Error lostError() const;
+    /// A gap of the take, which finish() tells; finish() marks what broke off where nobody did before.
+    void markMissing(const MissingEnd& end);
     link::LinkStatistics linkStatistics() const { return device_->statistics(); }
 
 private:
@@ -120,6 +129,8 @@ private:
         std::shared_ptr<StreamFeed> feed;
         std::optional<Error> not_processed;  ///< although it was asked for
         std::vector<std::string> warnings;
+        std::string missing_end;    ///< in words; empty: the take's end is there
+        std::optional<Error> lost;  ///< its sound broke off
 
         std::optional<Error> processingTrouble() const;
     };
@@ -136,8 +147,7 @@ private:
     void follow(const link::StudioEvent& event);
     void markStarted();
     int64_t dueSample() const;
-    void markMissing(Stream& stream, int64_t until, StreamResult& result);
-    const char* reasonOfGap() const;
+    void markMissing(Stream& stream, const MissingEnd& end);
     void showFlow(LinkState link);
     void endStream(const std::optional<Error>& why, LinkState link);
     LinkState linkWithoutStream() const;

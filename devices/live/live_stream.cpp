@@ -254,34 +254,49 @@ std::optional<int64_t> LiveSession::brokenOffUntil() const {
     return due > reached ? std::optional(due) : std::nullopt;
 }
 
-const char* LiveSession::reasonOfGap() const {
-    return status()->trouble ? kGapOfBox : kGapOfLink;
-}
-
-void LiveSession::markMissing(int64_t until) {
-    if (const auto stream = newest())
-        stream->feed->markMissing(until, reasonOfGap());
-}
-
-Error LiveSession::lostError() const {
-    return {ErrorKind::kDevice, device_->address() + ": the sound broke off before the recording ended",
-            "Check the cable and the box's battery, and record again"};
-}
-
-void LiveSession::markMissing(Stream& stream, int64_t until, StreamResult& result) {
-    const double rate_hz = status()->hello->sample_rate_hz;
-    const int64_t from = stream.feed->reachedSample();
-    if (until <= from || stream.recorder->state().ended)
-        return;
-    stream.feed->markMissing(until, reasonOfGap());
+std::string MissingEnd::inWords(double from_s, double missing_s) const {
     char text[160];
-    std::snprintf(text, sizeof text,
-                  "The suit was lost after %.1f s and did not come back; the last %.1f s of the take are "
-                  "missing and marked as a gap.",
-                  static_cast<double>(from) / rate_hz, static_cast<double>(until - from) / rate_hz);
-    result.warnings.push_back(text);
-    if (!result.trouble)
-        result.trouble = lostError();
+    if (who.empty())
+        std::snprintf(text, sizeof text,
+                      "The suit was lost after %.1f s and did not come back; the last %.1f s of the take are "
+                      "missing and marked as a gap.",
+                      from_s, missing_s);
+    else if (!is_lost)
+        std::snprintf(text, sizeof text,
+                      " came late: when the recording was stopped, its last %.1f s were not there yet. "
+                      "They are marked as a gap.",
+                      missing_s);
+    else if (others_went_on)
+        std::snprintf(text, sizeof text,
+                      " was lost after %.1f s and did not come back; the last %.1f s of it are missing "
+                      "and marked as a gap. The other suits were recorded on.",
+                      from_s, missing_s);
+    else
+        std::snprintf(text, sizeof text,
+                      " was lost after %.1f s and did not come back; the last %.1f s of it are missing "
+                      "and marked as a gap.",
+                      from_s, missing_s);
+    return who + text;
+}
+
+void LiveSession::markMissing(const MissingEnd& end) {
+    if (const auto stream = newest())
+        markMissing(*stream, end);
+}
+
+void LiveSession::markMissing(Stream& stream, const MissingEnd& end) {
+    const auto hello = status()->hello;
+    const int64_t from = stream.feed->reachedSample();
+    if (end.until <= from || !hello || !stream.recorder || stream.recorder->state().ended)
+        return;
+    stream.feed->markMissing(end.until, status()->trouble ? kGapOfBox : kGapOfLink);
+    const double rate_hz = hello->sample_rate_hz;
+    stream.missing_end =
+        end.inWords(static_cast<double>(from) / rate_hz, static_cast<double>(end.until - from) / rate_hz);
+    if (end.broke_off)
+        stream.lost =
+            Error{ErrorKind::kDevice, device_->address() + ": the sound broke off before the recording ended",
+                  "Check the cable and the box's battery, and record again"};
 }
 
 StreamResult LiveSession::finishNewest(std::optional<double> patience_s) {
@@ -289,10 +304,12 @@ StreamResult LiveSession::finishNewest(std::optional<double> patience_s) {
     const StreamPointer stream = detachNewest();
     if (!stream)
         return {};
-    StreamResult result;
-    result.trouble = status()->trouble;
     if (broken_off)
-        markMissing(*stream, *broken_off, result);
+        markMissing(*stream, {*broken_off});
+    StreamResult result;
+    result.trouble = status()->trouble ? status()->trouble : stream->lost;
+    if (!stream->missing_end.empty())
+        result.warnings.push_back(stream->missing_end);
     if (!newest())
         stopAfterLast();
     std::ranges::copy(stream->warnings, std::back_inserter(result.warnings));

@@ -5000,6 +5000,10 @@
         <translation>Ton wird gelesen</translation>
     </message>
     <message>
+        <source>Record again or import a file whose time rises from row to row</source>
+        <translation>Neu aufnehmen oder eine Datei importieren, deren Zeit von Zeile zu Zeile steigt</translation>
+    </message>
+    <message>
         <source>Record it again</source>
         <translation>Noch einmal aufnehmen</translation>
     </message>
@@ -5310,6 +5314,10 @@
     <message>
         <source>board %1 reads at %2 Hz</source>
         <translation>Platine %1 misst mit %2 Hz</translation>
+    </message>
+    <message>
+        <source>board %1: the time stamps stand still or jump back, which would leave out %2 of %3 readings</source>
+        <translation>Platine %1: Die Zeitstempel stehen oder springen zurück; damit fielen %2 von %3 Messwerten weg</translation>
     </message>
     <message>
         <source>estimator %1 knows one body only</source>

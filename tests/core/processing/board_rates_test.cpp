@@ -75,5 +75,22 @@ TEST_F(BoardRates, ASuitThatJoinsLateLostNothing) {
     EXPECT_EQ(boards[0].frames_absent, 0);
 }
 
+/// Its own clock begins 1.2 s after the take, so that its samples end at 0.8 s.
+TEST_F(BoardRates, ASecondSuitThatStartsLateStaysToTheEnd) {
+    test::runSql(path(),
+                 "INSERT INTO suit(id,json,clock_offset_ns) SELECT 2,json,1200000000 FROM suit WHERE id=1;"
+                 "INSERT INTO inertial(run,suit,board,frame,sample,gx,gy,gz,ax,ay,az,corrected) "
+                 "SELECT run,2,board,frame,sample,gx,gy,gz,ax,ay,az,corrected FROM inertial WHERE frame<112");
+    Take take = Take::open(path()).value();
+    EXPECT_EQ(take.sampleCount(1).value(), 2 * test::kRate_hz);
+    EXPECT_EQ(take.sampleCount(2).value(), test::kRate_hz * 4 / 5);
+    take.view(2);
+    for (const ReportBoard& board :
+         boardQuality(take, take.suit().value(), Calibration{}, kPrimaryRun).value()) {
+        EXPECT_FALSE(board.joined_s || board.left_s) << board.id;
+        EXPECT_EQ(board.frames_expected, 112) << board.id;
+    }
+}
+
 }  // namespace
 }  // namespace noctule

@@ -54,7 +54,7 @@ TEST_F(ExportTogether, WhoJoinsLateHoldsTheFirstPoseUntilThen) {
     const auto summary = exportStacks(*requests, {});
     ASSERT_TRUE(summary) << summary.error().text();
     const std::string said = "Bea holds its first pose until 1.5 s.";
-    EXPECT_EQ(std::ranges::count(summary->notices, said), 1);
+    EXPECT_EQ(std::ranges::count(summary->held, said), 1);
     const auto checks = checkStacks(*requests, {});
     ASSERT_TRUE(checks) << checks.error().text();
     ASSERT_EQ(checks->size(), 2U);
@@ -90,9 +90,9 @@ TEST_F(ExportTogether, AFileForEachBeginsAndEndsAtTheSameInstants) {
     EXPECT_EQ(summaries[0].begin_s, summaries[1].begin_s);
     EXPECT_EQ(tables[0].time_s, tables[1].time_s);
     EXPECT_GT(tables[0].time_s.back(), 2.7) << "where Bea ends";
-    ASSERT_EQ(summaries[0].notices.size(), 1U);
-    EXPECT_EQ(summaries[0].notices[0], "Ada holds its last pose from 2.5 s on.");
-    EXPECT_EQ(summaries[1].notices.at(0), "Bea holds its first pose until 1.5 s.");
+    ASSERT_EQ(summaries[0].held.size(), 1U);
+    EXPECT_EQ(summaries[0].held[0], "Ada holds its last pose from 2.5 s on.");
+    EXPECT_EQ(summaries[1].held.at(0), "Bea holds its first pose until 1.5 s.");
     const auto moved_m = [&](size_t who, double from_s, double to_s) {
         const PositionTable& table = tables[who];
         const auto row = [&](double s) {
@@ -160,7 +160,7 @@ TEST_F(ExportTogether, WhoAreNeverSeenAtOneTimeStandStillInTurn) {
     ASSERT_TRUE(requests) << requests.error().text();
     const auto summary = exportStacks(*requests, {});
     ASSERT_TRUE(summary) << summary.error().text();
-    EXPECT_EQ(summary->notices, (std::vector<std::string>{"Ada holds its last pose from 1.4 s on.",
+    EXPECT_EQ(summary->held, (std::vector<std::string>{"Ada holds its last pose from 1.4 s on.",
                                                           "Bea holds its first pose until 1.5 s."}));
 }
 

@@ -102,6 +102,35 @@ TEST_F(OrientStamps, AStampThatLeapsIsLeftOut) {
     EXPECT_NEAR(double(rows.back().time_ns) * 1e-9, 14.98, 1e-5);
 }
 
+TEST_F(OrientStamps, SeveralStampsThatLeapInARowAreLeftOutAlone) {
+    write([](int i) {
+        return i >= 300 && i < 305 ? 9 + i * 0.01 : i < 500 ? i * 0.01 : 5 + (i - 500) * 0.02;
+    });
+    OrientRequest request{path_, "leaps", "2026-01-01T00:00:00Z", "test", &orientationEstimators().front(),
+                          {}};
+    const auto summary = orientTake(request, {});
+    ASSERT_TRUE(summary) << summary.error().text();
+    ASSERT_EQ(summary->warnings.size(), 1u);
+    EXPECT_NE(summary->warnings[0].find("jumps back at 5 readings"), std::string::npos)
+        << summary->warnings[0];
+    const auto rows = Take::open(path_)->orientations(summary->run, 0).value();
+    ASSERT_EQ(rows.size(), size_t(kRows));
+    EXPECT_NEAR(double(rows[302].time_ns) * 1e-9, 3.02, 1e-5);
+    EXPECT_NEAR(double(rows.back().time_ns) * 1e-9, 14.98, 1e-5);
+}
+
+/// No half of the recording is left out in silence.
+TEST_F(OrientStamps, AClockThatStartsAnewIsRefused) {
+    write([](int i) { return i < 400 ? i * 0.01 : (i - 400) * 0.01; });
+    OrientRequest request{path_, "anew", "2026-01-01T00:00:00Z", "test", &orientationEstimators().front(),
+                          {}};
+    const auto summary = orientTake(request, {});
+    ASSERT_FALSE(summary);
+    EXPECT_NE(summary.error().text().find("would leave out 400 of 1000 readings"), std::string::npos)
+        << summary.error().text();
+    EXPECT_NE(summary.error().text().find("time rises"), std::string::npos) << summary.error().text();
+}
+
 /// Radios bring several readings at once, and some recorders stamp them alike.
 TEST_F(OrientStamps, PacketsOfEqualStampsAreEvenlyApart) {
     write([](int i) { return i / 5 * 0.05; });
