@@ -42,12 +42,35 @@ std::string cards(const ReportData& data, const ReportRun* run) {
            "</div>\n";
 }
 
+std::string allButLast(const std::vector<std::string>& names) {
+    std::string words;
+    for (size_t i = 0; i + 1 < names.size(); ++i)
+        words += (words.empty() ? "" : ", ") + shortText(names[i], limits::kShownName);
+    return words;
+}
+
+/// Of a take of several performers: whose poses come from one joint estimate. Else empty.
+std::string peopleSentences(const ReportData& data) {
+    const auto lastOf = [](const std::vector<std::string>& names) {
+        return shortText(names.back(), limits::kShownName);
+    };
+    std::string words;
+    if (data.together.size() > 1)
+        words += allButLast(data.together) + " and " + lastOf(data.together) + " were estimated together. ";
+    if (data.alone.size() > 1)
+        words += allButLast(data.alone) + " and " + lastOf(data.alone) + " were each estimated alone. ";
+    else if (!data.alone.empty())
+        words += lastOf(data.alone) + " was estimated alone. ";
+    return words;
+}
+
 std::string explanation(const ReportData& data, const ReportRun* run) {
     if (!run)
         return "Process the take, then evaluate it again.";
     std::string words = "Result " + run->name + ": sensors " + sensorsInWords(run->sensors) + ", estimator " +
                         estimatorInWords(run->estimator) + ", smoothing " + run->smoother + ", root " +
                         (run->root_given ? "given by another system" : "free") + ". ";
+    words += peopleSentences(data);
     constexpr VerdictLimits kLimits;
     if (run->comparison)
         words += "Compared over " + text::clock(run->comparison->duration_s) + " in " +
