@@ -56,11 +56,13 @@ std::string peopleSentences(const ReportData& data) {
     };
     std::string words;
     if (data.together.size() > 1)
-        words += allButLast(data.together) + " and " + lastOf(data.together) + " were estimated together. ";
+        words = allButLast(data.together) + " and " + lastOf(data.together) + " were estimated together.";
+    if (!words.empty() && !data.alone.empty())
+        words += ' ';
     if (data.alone.size() > 1)
-        words += allButLast(data.alone) + " and " + lastOf(data.alone) + " were each estimated alone. ";
+        words += allButLast(data.alone) + " and " + lastOf(data.alone) + " were each estimated alone.";
     else if (!data.alone.empty())
-        words += lastOf(data.alone) + " was estimated alone. ";
+        words += lastOf(data.alone) + " was estimated alone.";
     return words;
 }
 
@@ -70,7 +72,6 @@ std::string explanation(const ReportData& data, const ReportRun* run) {
     std::string words = "Result " + run->name + ": sensors " + sensorsInWords(run->sensors) + ", estimator " +
                         estimatorInWords(run->estimator) + ", smoothing " + run->smoother + ", root " +
                         (run->root_given ? "given by another system" : "free") + ". ";
-    words += peopleSentences(data);
     constexpr VerdictLimits kLimits;
     if (run->comparison)
         words += "Compared over " + text::clock(run->comparison->duration_s) + " in " +
@@ -113,9 +114,11 @@ Interval takeInterval(const ReportData& data) {
 std::string summarySection(const ReportData& data) {
     const Verdict verdict = judge(data);
     const ReportRun* run = data.shownRun();
+    const std::string people = peopleSentences(data);
     std::string out = "<section id=\"summary\" aria-labelledby=\"verdict\">" +
                       html::verdict(verdict.grade, verdict.headline, explanation(data, run)) +
-                      cards(data, run) + html::problems(verdict.reasons);
+                      (people.empty() ? "" : html::note(people)) + cards(data, run) +
+                      html::problems(verdict.reasons);
     return out + "</section>\n";
 }
 
