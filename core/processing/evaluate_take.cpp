@@ -337,6 +337,28 @@ Status compareRun(const Take& take, int64_t run, const Reference& reference, Rep
     return Done{};
 }
 
+/// Whose poses come from one joint estimate; of a single performer there is nothing to say.
+Status addPeople(const Take& take, const DerivedRun& shown, const RunSettings& settings, ReportData& data) {
+    auto people = take.subjects();
+    if (!people)
+        return people.error();
+    std::erase_if(*people, [](const TakeSubject& subject) { return subject.room; });
+    if (people->size() < 2)
+        return Done{};
+    const auto of_run = subjectsOf(shown);
+    std::erase_if(*people, [&](const TakeSubject& subject) {
+        return std::ranges::count(of_run, subject.suit(), &TakeSubject::suit) == 0;
+    });
+    const auto isJoined = [&](const TakeSubject& subject) {
+        return !settings.root_given && (settings.between || settings.uses_room) &&
+               std::ranges::count(settings.unjoined, subject.suit()) == 0;
+    };
+    const bool joint = std::ranges::count_if(*people, isJoined) > 1;
+    for (const TakeSubject& subject : *people)
+        (joint && isJoined(subject) ? data.together : data.alone).push_back(subject.name);
+    return Done{};
+}
+
 /// How far each of the newest other runs is from the shown one, which needs no reference.
 Status addDistances(const Take& take, const std::vector<DerivedRun>& runs, const DerivedRun& shown,
                     const JobContext& job, ReportData& data) {
@@ -408,6 +430,8 @@ Result<ReportData> evaluateTake(const EvaluateRequest& request, const JobContext
             return added.error();
     const RunSettings settings = runSettings(*shown, *all_runs, take.level());
     if (Status added = addQuality(take, *shown, settings, data, job); !added)
+        return added.error();
+    if (Status added = addPeople(take, *shown, settings, data); !added)
         return added.error();
     data.people_apart = settings.people_apart || !settings.unjoined.empty();
     for (const TakeSubject& subject : subjectsOf(*shown))

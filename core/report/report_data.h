@@ -132,6 +132,8 @@ struct ReportData {
     int64_t distances_given = 0, distances_refused = 0;  ///< of a take of readings; refused: no such distance
     bool people_apart = false;          ///< not all performers' places to each other are known
     std::vector<std::string> unjoined;  ///< those of them who stand alone; empty: all do
+    /// Performers of the shown run, of a take of several: those of one joint estimate, and the others.
+    std::vector<std::string> together, alone;
     std::vector<std::pair<std::string, NamedValues>>
         provenance;                     ///< headed lists: calibration, versions, ...
     std::vector<std::string> warnings;  ///< whole sentences found while reading or processing

@@ -42,6 +42,30 @@ std::string cards(const ReportData& data, const ReportRun* run) {
            "</div>\n";
 }
 
+std::string allButLast(const std::vector<std::string>& names) {
+    std::string words;
+    for (size_t i = 0; i + 1 < names.size(); ++i)
+        words += (words.empty() ? "" : ", ") + shortText(names[i], limits::kShownName);
+    return words;
+}
+
+/// Of a take of several performers: whose poses come from one joint estimate. Else empty.
+std::string peopleSentences(const ReportData& data) {
+    const auto lastOf = [](const std::vector<std::string>& names) {
+        return shortText(names.back(), limits::kShownName);
+    };
+    std::string words;
+    if (data.together.size() > 1)
+        words = allButLast(data.together) + " and " + lastOf(data.together) + " were estimated together.";
+    if (!words.empty() && !data.alone.empty())
+        words += ' ';
+    if (data.alone.size() > 1)
+        words += allButLast(data.alone) + " and " + lastOf(data.alone) + " were each estimated alone.";
+    else if (!data.alone.empty())
+        words += lastOf(data.alone) + " was estimated alone.";
+    return words;
+}
+
 std::string explanation(const ReportData& data, const ReportRun* run) {
     if (!run)
         return "Process the take, then evaluate it again.";
@@ -90,9 +114,11 @@ Interval takeInterval(const ReportData& data) {
 std::string summarySection(const ReportData& data) {
     const Verdict verdict = judge(data);
     const ReportRun* run = data.shownRun();
+    const std::string people = peopleSentences(data);
     std::string out = "<section id=\"summary\" aria-labelledby=\"verdict\">" +
                       html::verdict(verdict.grade, verdict.headline, explanation(data, run)) +
-                      cards(data, run) + html::problems(verdict.reasons);
+                      (people.empty() ? "" : html::note(people)) + cards(data, run) +
+                      html::problems(verdict.reasons);
     return out + "</section>\n";
 }
 

@@ -6405,6 +6405,14 @@
         <translation>%1 gegen die Referenz</translation>
     </message>
     <message>
+        <source>%1 and %2 were each estimated alone.</source>
+        <translation>%1 und %2 wurden je allein geschätzt.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 were estimated together.</source>
+        <translation>%1 und %2 wurden gemeinsam geschätzt.</translation>
+    </message>
+    <message>
         <source>%1 frames could not be compared because the reference has none near them.</source>
         <translation>%1 Bilder ließen sich nicht vergleichen, weil die Referenz keines in ihrer Nähe hat.</translation>
     </message>
@@ -6447,6 +6455,10 @@
     <message>
         <source>%1 s of movement</source>
         <translation>%1 s Bewegung</translation>
+    </message>
+    <message>
+        <source>%1 was estimated alone.</source>
+        <translation>%1 wurde allein geschätzt.</translation>
     </message>
     <message>
         <source>%1 was told by no sensor for %2 of the time.</source>

@@ -15,6 +15,7 @@
 #include "ui/main_window/status_line.h"
 #include "ui/main_window/top_bar.h"
 #include "ui/models/recording_import.h"
+#include "ui/style/words.h"
 #include "ui/views/readiness_words.h"
 #include "ui/views/session/session_commands.h"
 #include "ui/widgets/question.h"
@@ -243,7 +244,7 @@ void MainWindow::onTornTake(const QString& path, const QString& why) {
     notices_->add({Tone::kError,
                    title,
                    tr("%1 What can be read goes into a new take; the damaged file is kept.", "why")
-                       .arg(why.endsWith('.') ? why : why + '.'),
+                       .arg(withFullStop(why)),
                    tr("Save what can be read"),
                    [this, path] { studio_.saveReadable(path); },
                    {}});

@@ -45,6 +45,10 @@ QString unbroken(const QString& sentence) {
         .replace(QStringLiteral("°/s"), QStringLiteral("°/\u2060s"));
 }
 
+QString withFullStop(const QString& sentence) {
+    return sentence.endsWith('.') ? sentence : sentence + '.';
+}
+
 /// Qt calls one of the two keys "Return", which stands on few keyboards.
 QString keysText(const QKeySequence& keys) {
     const QString text = keys.toString(QKeySequence::NativeText);

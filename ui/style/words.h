@@ -35,6 +35,8 @@ QString bytesText(qint64 bytes);
 QString numberText(double value, int decimals);
 /// Of a whole sentence: no line ends between a number and its degrees or percent, nor within "°/s".
 QString unbroken(const QString& sentence);
+/// Errors end with or without a full stop; followed by another sentence they need one.
+QString withFullStop(const QString& sentence);
 /// "Ctrl+R", on a German screen "Strg+R" as its keyboard has it. Every key in a text is written by this.
 QString keysText(const QKeySequence& keys);
 /// "Today, 10:12", "Yesterday", "17 November"; with the year when it is not the present one.

@@ -60,6 +60,7 @@ QWidget* FieldLive::makeChecks() {
 void FieldLive::setRun(WizardRun* run) {
     run_ = run;
     said_.clear();
+    shown_step_ = -1;
     if (!run)
         return;
     connect(run, &WizardRun::changed, this, &FieldLive::refresh);
@@ -95,6 +96,8 @@ void FieldLive::refresh() {
         heights_->show(guide->spot(), step == FieldGuide::kFloor, guide->strongerNow_percent());
     const LiveSentence now = fieldSentence(*run_);
     card_->setSentence(now);
+    if (std::exchange(shown_step_, step) != step)
+        card_->forgetHeight();
     if (turns)
         card_->ring().showShare(share, now.tone == Tone::kOk ? Tone::kOk : Tone::kAccent);
     else

@@ -40,6 +40,7 @@ private:
     Label* foot_;
     std::array<MeasureMeter*, 3> checks_{};
     QString said_;
+    int shown_step_ = -1;
 };
 
 }  // namespace noctule::ui

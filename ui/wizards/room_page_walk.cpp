@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "ui/language/core_words.h"
+#include "ui/style/words.h"
 #include "ui/widgets/button.h"
 #include "ui/widgets/label.h"
 #include "ui/widgets/problem_card.h"
@@ -104,9 +105,7 @@ void RoomPage::showWalkTrouble() {
         return;
     const QString name = walk_->takeName();
     const bool is_open = studio_.take().isOpen() && studio_.take().path() == walked_;
-    QString text = walk_->trouble();
-    if (!text.endsWith('.'))
-        text += '.';
+    QString text = withFullStop(walk_->trouble());
     if (name.isEmpty())
         text += ' ' + tr("Mend this, then walk once more.");
     else if (!is_open && !opens_walked_)

@@ -280,6 +280,12 @@ TEST_F(CastGoneWrong, WhatWasAskedForAndIsNotThereIsAnErrorElseItIsSaid) {
     const ProcessSummary summary = processed(request());
     EXPECT_TRUE(says(summary, {"Nobody hears the anchors"}));
     EXPECT_TRUE(summary.together && summary.together->between && !summary.together->room);
+    EvaluateRequest evaluated;
+    evaluated.take_path = path_;
+    const auto report = evaluateTake(evaluated, {});
+    ASSERT_TRUE(report) << report.error().text();
+    EXPECT_EQ(report->together, (std::vector<std::string>{"Ada", "Bea"}));
+    EXPECT_TRUE(report->alone.empty());
 }
 
 TEST_F(CastGoneWrong, PeopleWhoDoNotHearEachOtherStandWhereTheRoomSays) {
@@ -316,6 +322,8 @@ TEST_F(CastGoneWrong, WhomNobodyHearsIsNamed) {
     ASSERT_TRUE(report) << report.error().text();
     EXPECT_TRUE(report->people_apart);
     EXPECT_EQ(report->unjoined, std::vector<std::string>{"Bea"});
+    EXPECT_TRUE(report->together.empty());
+    EXPECT_EQ(report->alone, (std::vector<std::string>{"Ada", "Bea"}));
     // As good as if there were no Bea: the room alone holds the other.
     const ErrorsOfSuit beside = errorsOf(1);
     ProcessRequest alone = request();

@@ -82,6 +82,24 @@ TEST_F(CheckExport, BvhHoldsTheTakeHoweverTheRootIsHeld) {
     }
 }
 
+TEST_F(CheckExport, FilesAtTheRateOfTelevisionAreRead) {
+    ExportRequest request = bvh();
+    request.fbx_path = file("out.fbx");
+    request.glb_path = file("out.glb");
+    request.csv_path = file("out.csv");
+    for (const double ntsc : {30000.0 / 1001, 60000.0 / 1001}) {
+        request.frames_per_second = ntsc;
+        ASSERT_TRUE(exportTake(request, {}));
+        const auto checks = checkExport(request, {});
+        ASSERT_TRUE(checks) << checks.error().text();
+        EXPECT_EQ(checks->size(), 4u);
+        for (const ExportCheck& check : *checks) {
+            EXPECT_TRUE(check.ok()) << check.path << ": " << check.faults.front();
+            EXPECT_NEAR(check.frames_per_second, ntsc, 1e-3) << check.path;
+        }
+    }
+}
+
 TEST_F(CheckExport, CsvHoldsTheTakeHoweverTheRootIsHeld) {
     for (const RootMotion root : {RootMotion::kMoving, RootMotion::kInPlace, RootMotion::kHeading}) {
         const ExportCheck check = written(csv(root));

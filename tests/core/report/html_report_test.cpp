@@ -123,6 +123,21 @@ TEST(HtmlReport, HoldsTheNumbersItWasGiven) {
     EXPECT_TRUE(has(page, "345.5 m/s"));
 }
 
+TEST(HtmlReport, SaysWhoWasEstimatedTogether) {
+    ReportData data = madeReport(6);
+    EXPECT_FALSE(has(htmlReport(data), " estimated together")) << "of one performer";
+    EXPECT_FALSE(has(htmlReport(data), " estimated alone"));
+    data.together = {"Ada", "<Bea>"};
+    EXPECT_TRUE(has(htmlReport(data), ">Ada and &lt;Bea&gt; were estimated together.<"));
+    data.together.push_back("Cleo");
+    data.alone = {"Dan"};
+    EXPECT_TRUE(has(htmlReport(data),
+                    ">Ada, &lt;Bea&gt; and Cleo were estimated together. Dan was estimated alone.<"));
+    data.together.clear();
+    data.alone = {"Ada", "Bea"};
+    EXPECT_TRUE(has(htmlReport(data), ">Ada and Bea were each estimated alone.<"));
+}
+
 TEST(HtmlReport, NamesSensorsAndFilterInWords) {
     EXPECT_TRUE(has(htmlReport(shortReport()),
                     "sensors accelerometers, gyroscopes and distances, estimator Noctule"));

@@ -184,9 +184,13 @@ QStringList englishIn(const QString& page, const QString& of_the_operator) {
 }
 
 TEST_F(CoreWords, AReportIsGermanToItsLastSentence) {
-    const ReportData data = test::madeReport(20);
+    ReportData data = test::madeReport(20);
+    data.together = {"Ada", "Bea", "Cleo"};
+    data.alone = {"Dan", "Eva"};
     const QString page = QString::fromStdString(coreMarkup(htmlReport(data)));
     ASSERT_GT(page.size(), 10'000);
+    EXPECT_TRUE(page.contains(
+        "Ada, Bea und Cleo wurden gemeinsam geschätzt. Dan und Eva wurden je allein geschätzt."));
     EXPECT_EQ(englishIn(page, "Second round").join("\n").toStdString(), "");
     QLocale::setDefault(QLocale(QLocale::English));
     EXPECT_GT(englishIn(QString::fromStdString(htmlReport(data)), "Second round").size(), 50);

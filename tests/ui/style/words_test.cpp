@@ -37,6 +37,11 @@ TEST_F(WordsTest, time) {
     expectText(timeText(kNone), "–");
 }
 
+TEST_F(WordsTest, AFullStopIsAddedOnce) {
+    expectText(withFullStop("The box is gone"), "The box is gone.");
+    expectText(withFullStop("The box is gone."), "The box is gone.");
+}
+
 TEST_F(WordsTest, TimesOfTheDayHaveTwoDigitsEach) {
     expectText(clockText(QTime(9, 5, 1)), "09:05:01");
     expectText(clockText(QTime(23, 0, 59)), "23:00:59");

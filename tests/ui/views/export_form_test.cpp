@@ -28,5 +28,20 @@ TEST_F(ExportFormTest, ControlsStandInOneColumnHoweverLongALabelIs) {
     }
 }
 
+TEST_F(ExportFormTest, RatesOfTelevisionAreExactAndRemembered) {
+    const double ntsc = 30000.0 / 1001;
+    ExportSettings settings;
+    settings.frames_per_second = ntsc;
+    ExportPresets(studio_->settings()).remember("motionbuilder", settings);
+    const ExportPresets again(studio_->settings());
+    settings = again.all()[static_cast<size_t>(again.indexOf("motionbuilder"))].settings;
+    EXPECT_EQ(settings.frames_per_second, ntsc);
+    ExportForm form(*studio_);
+    form.setSettings(settings);
+    EXPECT_EQ(form.frames->currentText(), "29.97 per second");
+    EXPECT_EQ(form.frames->currentData().toDouble(), ntsc);
+    EXPECT_TRUE(settingsInWords(settings).endsWith("29.97 frames"));
+}
+
 }  // namespace
 }  // namespace noctule::ui

@@ -8,6 +8,8 @@
 #include "tests/ui/wizards/wizard_flow.h"
 #include "ui/wizards/field_live.h"
 #include "ui/wizards/field_sensors.h"
+#include "ui/wizards/sentence_card.h"
+#include "ui/wizards/wizard_words.h"
 
 namespace noctule::ui {
 namespace {
@@ -136,8 +138,14 @@ TEST_F(MagnetometerFlow, UsesThoseThatAreDone) {
     EXPECT_TRUE(guide().isSkipped(2)) << "it has no magnetometer";
     carryAbout();
     ASSERT_TRUE(waitLong([this] { return guide().isDone(FieldGuide::kSpot); })) << said();
+    auto* card = page_->wizard().field().findChild<SentenceCard*>();
+    const int usual = card->height();
+    card->setSentence({Tone::kError, "What is wrong", QString("Much is to be said. ").repeated(40)});
+    const int grown = card->height();
+    ASSERT_GT(grown, usual);
     click(page_->wizard().fieldSensors().withoutFloorButton());
     EXPECT_TRUE(guide().isDone(FieldGuide::kFloor));
+    EXPECT_TRUE(waitLong([&] { return card->height() < grown; })) << "of a sentence of the step before";
     EXPECT_FALSE(guide().spot().floor_percent);
     operate("roll 600");
     ASSERT_TRUE(waitLong([this] { return guide().enoughBoards() > 0 || run().phase() == Phase::kResult; }));

@@ -27,7 +27,8 @@ namespace {
 
 constexpr int kLabels = 76;
 constexpr QSize kPictureSizes[] = {{1280, 720}, {1920, 1080}, {3840, 2160}, {1080, 1920}, {1080, 1080}};
-constexpr double kRates[] = {24, 25, 30, 48, 50, 60, 90, 100, 120, 144, 200, 240};
+constexpr double kRates[] = {24,  25, 30000.0 / 1001, 30, 48, 50, 60000.0 / 1001, 60, 90, 100, 120, 144,
+                             200, 240};
 
 QDoubleSpinBox* makeSeconds(const QString& name) {
     auto* field = new QDoubleSpinBox;
@@ -150,7 +151,7 @@ void ExportForm::addMotionRows(FormRows& rows) {
         tr("Each take is an animation under its name; {take} in the file name becomes the session’s "
            "name. Of one take, each performer is a character of its own."));
     for (const double rate : kRates)
-        frames->addItem(tr("%1 per second").arg(numberText(rate, 0)), rate);
+        frames->addItem(tr("%1 per second").arg(rateText(rate)), rate);
     rows.addRow(tr("Frames"), frames);
     root->addItem(tr("Moves as captured"), static_cast<int>(RootMotion::kMoving));
     root->addItem(tr("Stays in place"), static_cast<int>(RootMotion::kInPlace));

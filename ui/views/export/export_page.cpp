@@ -33,7 +33,7 @@
 namespace noctule::ui {
 
 namespace {
-constexpr int kForm = 372, kBothSides = 780, kTakes = 640;
+constexpr int kForm = 372, kBothSides = 780, kWidestPart = 640;
 constexpr int kMostNames = 3;
 }  // namespace
 
@@ -94,13 +94,13 @@ QWidget* ExportPage::makeSides() {
     auto* form = addRow(below_form_, 0);
     form->addWidget(form_, 1000);
     form->addStretch(1);
-    keepMaximumWidth(*form_, kTakes);
+    keepMaximumWidth(*form_, kWidestPart);
     takes_side_ = new QWidget;
     auto* column = makeColumn(takes_side_);
     auto* takes = addRow(column, 0);
     takes->addWidget(form_->takesPart(), 1000);
     takes->addStretch(1);
-    keepMaximumWidth(*form_->takesPart(), kTakes);
+    keepMaximumWidth(*form_->takesPart(), kWidestPart);
     column->addWidget(new Divider);
     column->addWidget(results_panel_, 1);
     auto* sides = new QWidget;

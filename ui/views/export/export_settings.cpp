@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <QUuid>
+#include <cmath>
 
 #include "ui/style/words.h"
 
@@ -237,8 +238,13 @@ bool hasNames(ExportFormat format) {
     return hasUnit(format) || format == ExportFormat::kGlb;
 }
 
+QString rateText(double frames_per_second) {
+    const bool is_whole = frames_per_second == std::round(frames_per_second);
+    return numberText(frames_per_second, is_whole ? 0 : 2);
+}
+
 QString settingsInWords(const ExportSettings& settings) {
-    const QString frames = numberText(settings.frames_per_second, 0), format = formatName(settings.format);
+    const QString frames = rateText(settings.frames_per_second), format = formatName(settings.format);
     const QString size = SettingsWords::tr("%1 × %2").arg(settings.width_px).arg(settings.height_px);
     if (settings.format == ExportFormat::kPng)
         return SettingsWords::tr("%1, %2").arg(format, size);

@@ -77,6 +77,8 @@ private:
 QString formatName(ExportFormat format);
 bool hasUnit(ExportFormat format);   ///< of its own choice
 bool hasNames(ExportFormat format);  ///< of joints
+/// "30", of television "29.97"
+QString rateText(double frames_per_second);
 /// "BVH, centimetres, 120 frames"
 QString settingsInWords(const ExportSettings& settings);
 

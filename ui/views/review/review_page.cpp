@@ -6,6 +6,7 @@
 #include <QScrollArea>
 #include <QStackedWidget>
 
+#include "ui/style/words.h"
 #include "ui/views/job_progress.h"
 #include "ui/views/report/full_report.h"
 #include "ui/views/report/report_panel.h"
@@ -132,9 +133,8 @@ QWidget* ReviewPage::emptyContent() {
     const auto& [path, why] = studio_.unreadable();
     if (path.isEmpty())
         return empty_;
-    unreadable_->setSentence(
-        tr("%1 is damaged: %2 What can be read goes into a new take.", "take, why")
-            .arg(QFileInfo(path).completeBaseName(), why.endsWith('.') ? why : why + '.'));
+    unreadable_->setSentence(tr("%1 is damaged: %2 What can be read goes into a new take.", "take, why")
+                                 .arg(QFileInfo(path).completeBaseName(), withFullStop(why)));
     return unreadable_;
 }
 

@@ -45,7 +45,7 @@ QString withoutOptions(const QString& warning) {
     QString text = kept.isEmpty() ? warning : kept.join(' ');
     if (text.endsWith(';'))
         text.chop(1);
-    return text.endsWith('.') ? text : text + '.';
+    return withFullStop(text);
 }
 
 }  // namespace
