@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/estimation/gauss_newton_stretch.h"
+
 namespace noctule {
 namespace {
 
@@ -174,51 +176,21 @@ Status BatchSmoother::linearise(const JobContext& job) {
     });
 }
 
-/// Going back gives the adjoint of every step, and that the noises: -Q lambda. Forward with them from the
-/// stretch's begin, where the error is that of the filter less P lambda (Koopman, "Disturbance smoother for
-/// state space models", Biometrika 80, 1993).
 Status BatchSmoother::improve(const JobContext& job) {
-    struct Passed {
-        BodyState state;
-        DecidedStep noise;  ///< of it only what noiseTimes() needs
-        Eigen::VectorXd defect, lambda;
-    };
     if (Status read = goToMark(); !read)
         return read;
-    const MapProblem::Estimate begin = estimate_;
     const int64_t first = stretch_ * steps_per_stretch_;
-    const BodyState first_state = motion_.at(first);
-    FilterTape tape;
-    std::vector<Passed> passed;
-    const auto filter = [&](const DecidedStep& step, const Leg& leg, int64_t) {
-        problem_->filterStep(step, leg, estimate_, &tape);
-        passed.push_back({leg.to, {}, problem_->defect(leg), {}});
-        passed.back().noise.acceleration_variance = step.acceleration_variance;
-        passed.back().noise.widened = step.widened;
+    std::vector<BodyState> states{motion_.at(first)};
+    GaussNewtonStretch stretch(*problem_, estimate_);
+    const auto pass = [&](const DecidedStep& step, const Leg& leg, int64_t) {
+        stretch.pass(step, leg);
+        states.push_back(leg.to);
     };
-    if (Status done = forEachStep(job, filter); !done)
+    if (Status done = forEachStep(job, pass); !done)
         return done;
-
-    auto step = passed.rbegin();
-    for (auto event = tape.rbegin(); event != tape.rend(); ++event) {
-        if (const auto* update = std::get_if<ObservedUpdate>(&*event))
-            adjoint_.back(*update);
-        if (const auto* transition = std::get_if<LinkTransitions>(&*event)) {
-            (step++)->lambda = adjoint_.lambda();
-            adjoint_.back(*transition);
-        }
-    }
-    Eigen::VectorXd error = begin.error - begin.P.dense() * adjoint_.lambda();
-    if (stretch_ == 0)
-        motion_.replace(0, first_state, error);
-    int64_t index = 0;
-    for (const auto& event : tape)
-        if (const auto* transition = std::get_if<LinkTransitions>(&event)) {
-            const Passed& now = passed[static_cast<size_t>(index)];
-            transition->carry(error);
-            error += now.defect - problem_->noiseTimes(now.noise, now.lambda);
-            motion_.replace(first + ++index, now.state, error);
-        }
+    const std::vector<Eigen::VectorXd> errors = stretch.errors(adjoint_);
+    for (size_t i = stretch_ == 0 ? 0 : 1; i < states.size(); ++i)
+        motion_.replace(first + static_cast<int64_t>(i), states[i], errors[i]);
     return Done{};
 }
 

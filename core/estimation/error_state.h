@@ -17,4 +17,21 @@ void addError(const KinematicTree& tree, const StateLayout& layout, const Eigen:
 Eigen::VectorXd errorBetween(const KinematicTree& tree, const StateLayout& layout, const BodyState& from,
                              const BodyState& to);
 
+/// Calls `each(numbers, count)` for all there is in a state.
+template <class State, class Each>
+void forEachNumber(State& state, const Each& each) {
+    each(state.motion.p_world_root.data(), 3);
+    for (auto& q : state.motion.q_parent_link)
+        each(q.coeffs().data(), 4);
+    each(state.motion.angle_rad.data(), std::ssize(state.motion.angle_rad));
+    each(state.motion.rate.data(), state.motion.rate.size());
+    each(state.motion.accel.data(), state.motion.accel.size());
+    for (auto& bias : state.gyro_bias)
+        each(bias.data(), 3);
+    for (auto& bias : state.accel_bias)
+        each(bias.data(), 3);
+    each(state.source_offset_m.data(), std::ssize(state.source_offset_m));
+    each(&state.sound_scale, 1);
+}
+
 }  // namespace noctule

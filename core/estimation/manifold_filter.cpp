@@ -160,32 +160,27 @@ void ManifoldFilter::advanceTo(double time_s) {
         step(nextInput());
 }
 
-ManifoldFilter::StepInput ManifoldFilter::nextInput() {
-    const double limit_s = (static_cast<double>(now_.step_index) + 1.5) * step_s_;
-    StepInput input{roots_.takeUpTo(limit_s), {}, distances_.takeUpTo(limit_s)};
-    if ((now_.step_index + 1) % parameters_.steps_per_frame == 0)
-        input.inertial = inertial_.at(limit_s - 0.5 * step_s_);
-    const auto is_before = [&](const auto& m) { return m.time_s < limit_s - step_s_ - 1e-9; };
-    std::erase_if(input.roots, is_before);
-    return input;
-}
-
 void ManifoldFilter::step(const StepInput& input) {
-    predict(step_s_);
+    if (input.about) {
+        predictAbout(*input.about);
+    } else {
+        returnToEstimate();
+        predict(step_s_);
+    }
     ++now_.step_index;
     noteHeard(input.inertial);
     allowForClipping(input.inertial);
     const auto accel_variances = [&] {
         return now_.P.dense().diagonal().segment(layout_.accel(0), layout_.freedoms);
     };
-    const Eigen::VectorXd predicted = now_.state.motion.accel, variances = accel_variances();
+    const Eigen::VectorXd predicted = estimatedAccel(), variances = accel_variances();
     updateRoot(input.roots);
     if (parameters_.sensors.accelerometers)
         updateTriads(input.inertial, false);
     if (parameters_.sensors.gyroscopes)
         updateTriads(input.inertial, true);
     if (!input.inertial.empty() && learnsMotion())
-        now_.motion_noise.learn(now_.state.motion.accel - predicted, variances - accel_variances(),
+        now_.motion_noise.learn(estimatedAccel() - predicted, variances - accel_variances(),
                                 1.0 / kInertialFramesPerSecond, now_.give.fleshShare());
     if (parameters_.sensors.accelerometers && parameters_.sensors.gyroscopes) {
         updateVelocityGains(input.inertial);
@@ -201,7 +196,8 @@ void ManifoldFilter::step(const StepInput& input) {
     const auto prior_steps = std::max<int64_t>(1, std::llround(parameters_.prior_interval_s / step_s_));
     if (now_.step_index % prior_steps == 0)
         updatePriors();
-    if (now_.step_index % parameters_.steps_per_frame != 0)
+    now_.motion_noise.setCalm(isSilent());
+    if (!isAtFrame())
         return;
     if (tape_)
         tape_->push_back(frame({nanoseconds(seconds())}));
@@ -221,6 +217,10 @@ void ManifoldFilter::predict(double dt_s) {
 }
 
 void ManifoldFilter::correct(const Eigen::VectorXd& delta) {
+    if (now_.apart) {
+        *now_.apart += delta;
+        return;
+    }
     addError(tree_, layout_,
              parameters_.sensors.gyroscopes ? bendTurns(tree_, now_.state.motion, delta) : delta, now_.state);
 }
@@ -400,14 +400,17 @@ void ManifoldFilter::updateGround(const std::vector<InertialMeasurement>& measur
 void ManifoldFilter::observe(std::vector<ObservationBlock> blocks) {
     if (blocks.empty())
         return;
-    if (!tape_)
-        return correct(now_.P.update(blocks));
-    for (ObservationBlock& block : blocks)
-        if (block.origin.kind == ObservationOrigin::Kind::kPull) {
+    for (ObservationBlock& block : blocks) {
+        if (tape_ && block.origin.kind == ObservationOrigin::Kind::kPull) {
             block.origin.target = block.residual;
             for (Eigen::Index i = 0; i < block.rows(); ++i)
                 block.origin.target[i] += valueOf(now_.state, block.columns[static_cast<size_t>(i)]);
         }
+        if (now_.apart)
+            block.residual -= block.of(*now_.apart);
+    }
+    if (!tape_)
+        return correct(now_.P.update(blocks));
     ObservedUpdate observed;
     correct(now_.P.update(blocks, &observed));
     tape_->push_back(std::move(observed));

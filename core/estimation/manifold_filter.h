@@ -8,6 +8,8 @@
 // is predicted at its own.
 #pragma once
 
+#include <deque>
+#include <optional>
 #include <utility>
 
 #include "core/estimation/board_noise.h"
@@ -22,6 +24,7 @@
 #include "core/estimation/limb_turn.h"
 #include "core/estimation/motion_noise.h"
 #include "core/estimation/reading_grid.h"
+#include "core/estimation/relocation_parameters.h"
 #include "core/estimation/velocity_gain.h"
 
 namespace noctule {
@@ -84,6 +87,14 @@ struct ManifoldParameters {
 
     double prior_interval_s = 0.1;
 
+    /// While the whole suit is silent a joint may turn about as fast as it usually does, to and fro: its
+    /// angle's variance grows by this time times the square of that rate.
+    struct Silent {
+        double turn_s = 0.3, least_rad_per_s = 0.5;
+        double rate_rad_per_s = 0.5, accel_rad_per_s2 = 2;  ///< priors about 0, once per prior_interval_s
+    } silent;
+    RelocationParameters relocation;
+
     /// Standard deviation, about each axis, of a board's mounting of which the calibration states none: after
     /// a rest pose alone, straps and soft tissue leave some degrees. Added to the joints' sigmas that come
     /// out; the filter itself does not know it.
@@ -117,6 +128,12 @@ public:
         std::vector<RootMeasurement> roots;
         std::vector<InertialMeasurement> inertial;
         std::vector<DistanceMeasurement> distances;
+        /// After a silence of the whole suit: the states before and at the end of the step, as readings up to
+        /// relocation.window_s later tell them. The step is linearised about these, not about the estimate.
+        struct About {
+            BodyState from, to;
+        };
+        std::optional<About> about;
     };
     /// Everything that a step changes: with it and the inputs that followed, any stretch can be filtered
     /// again, to the bit.
@@ -128,6 +145,9 @@ public:
         std::vector<double> heard_s;            ///< per board, of the last step with its turning
         std::vector<double> mean_square_rates;  ///< per link, of one axis, while they are seen
         MotionState fitted;                     ///< the motion that P's errors are those of
+        /// While steps are linearised about another state than the estimate: that is `state`, and this what
+        /// the estimate is apart from it.
+        std::optional<Eigen::VectorXd> apart;
         int64_t step_index = 0;
         std::vector<BoardNoise> board_noise;
         std::vector<LimbAlignment> alignments;  ///< per board
@@ -151,9 +171,8 @@ public:
     int resets() const override { return now_.resets; }
 
     /// For smoothers, which drive the filter by steps: advanceTo() is `while (isDue(t)) step(nextInput())`.
-    bool isDue(double time_s) const {
-        return static_cast<double>(now_.step_index + 1) * step_s_ + inertial_.reach_s() <= time_s;
-    }
+    /// The first step after a silence of the whole suit waits for relocation.window_s of readings.
+    bool isDue(double time_s);
     double stepSeconds() const { return step_s_; }
     StepInput nextInput();
     void step(const StepInput& input);
@@ -198,6 +217,14 @@ public:
     TimedPose poseNow() const { return estimateAt(seconds()); }
 
 private:
+    StepInput takeInput();
+    /// No board of the body has been heard for relocation.silence_s.
+    bool isSilent() const;
+    void holdInSilence();
+    void predictAbout(const StepInput::About& about);
+    void linearise(const BodyState& state);
+    void returnToEstimate();
+    Eigen::VectorXd estimatedAccel() const;
     void initialise(const Pose& rest_pose);
     void expectUsualPose(const Pose& rest_pose);
     GroundParameters groundParameters() const;
@@ -280,6 +307,7 @@ private:
     Eigen::VectorXd wander_;
     double step_s_ = 0;
     ReadingGrid inertial_;
+    std::deque<StepInput> ahead_;  ///< inputs of the next steps, as far as they were looked at
     TimeQueue<DistanceMeasurement> distances_;
     TimeQueue<RootMeasurement> roots_;
     FilterTape* tape_ = nullptr;

@@ -139,4 +139,46 @@ ManifoldRows jointLaxityRows() {
     };
 }
 
+ManifoldRows silenceRows() {
+    return {
+        {"silence.least", "s", 0.03, 10,
+         at(&ManifoldSetup::filter, &ManifoldParameters::relocation, &RelocationParameters::silence_s),
+         "Silence of the whole suit from which joints are held and the body is relocalised afterwards.",
+         "recordings that broke off"},
+        {"silence.window", "s", 0.1, 5,
+         at(&ManifoldSetup::filter, &ManifoldParameters::relocation, &RelocationParameters::window_s),
+         "Readings after a silence that are fitted together, with a smoother. Larger: surer of legs' "
+         "headings, "
+         "at more time.",
+         "iterated Kalman smoother, Bell 1994"},
+        {"silence.rounds", "count", 0, 10,
+         at(&ManifoldSetup::filter, &ManifoldParameters::relocation, &RelocationParameters::rounds),
+         "Rounds of gating and fitting, with a smoother. 0: none.", "recordings that broke off"},
+        {"silence.live_window", "s", 0.1, 5,
+         at(&ManifoldSetup::live_relocation, &RelocationParameters::window_s),
+         "The same without a smoother, as live: the body stands still meanwhile.",
+         "recordings that broke off"},
+        {"silence.live_rounds", "count", 0, 10,
+         at(&ManifoldSetup::live_relocation, &RelocationParameters::rounds), "Rounds without a smoother.",
+         "recordings that broke off"},
+        {"silence.turn_time", "s", 0, 10,
+         at(&ManifoldSetup::filter, &ManifoldParameters::silent, &ManifoldParameters::Silent::turn_s),
+         "Random walk of a joint during a silence: variance per second is this time times the square of its "
+         "usual rate.",
+         "recordings that broke off"},
+        {"silence.least_rate", "rad/s", 0.001, 100,
+         at(&ManifoldSetup::filter, &ManifoldParameters::silent,
+            &ManifoldParameters::Silent::least_rad_per_s),
+         "Lower limit of that usual rate.", "recordings that broke off"},
+        {"silence.rate_prior", "rad/s", 0.001, 100,
+         at(&ManifoldSetup::filter, &ManifoldParameters::silent, &ManifoldParameters::Silent::rate_rad_per_s),
+         "Standard deviation of a joint's rate about 0 during a silence, once per prior.interval.",
+         "recordings that broke off"},
+        {"silence.accel_prior", "rad/s^2", 0.001, 1000,
+         at(&ManifoldSetup::filter, &ManifoldParameters::silent,
+            &ManifoldParameters::Silent::accel_rad_per_s2),
+         "The same of its acceleration.", "recordings that broke off"},
+    };
+}
+
 }  // namespace noctule

@@ -61,7 +61,7 @@ void ManifoldFilter::alignLimbs(const std::vector<InertialMeasurement>& measurem
         if (board.link <= 0 || tree_.link(board.link).type != LinkType::kBall)
             continue;
         LimbAlignment& alignment = now_.alignments[b];
-        if (measurement.gyro.isClipped()) {
+        if (measurement.gyro.isClipped() || now_.apart) {
             alignment.breakOff(seconds());
             continue;
         }
@@ -148,6 +148,8 @@ void ManifoldFilter::noteEnd(const ChainMotion& chain, int link, const Vector3d&
 
 /// By distances, from the trunk outwards; what a limb carries is looked at anew once it has been found.
 void ManifoldFilter::searchLimbs() {
+    if (now_.apart)
+        return;
     ChainMotion chain;
     for (size_t link = 1; link < now_.rangings.size(); ++link) {
         if (!now_.rangings[link].isSuspected())

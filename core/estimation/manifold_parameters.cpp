@@ -363,8 +363,8 @@ const ParameterTable<ManifoldSetup>& manifoldParameters() {
         Rows all;
         for (const Rows& part :
              {stepParameters(), processNoise(), constantsAndRanges(), measurementNoise(), limbAlignmentRows(),
-              limbRangingRows(), deltaVelocity(), initialValues(), clippedReadings(), posePrior(),
-              jointLaxityRows(), groundContact(), smoothers()})
+              limbRangingRows(), silenceRows(), deltaVelocity(), initialValues(), clippedReadings(),
+              posePrior(), jointLaxityRows(), groundContact(), smoothers()})
             all.insert(all.end(), part.begin(), part.end());
         return all;
     }();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the filter believes of a body without readings.
+#include <algorithm>
 #include <cmath>
 
 #include "core/estimation/manifold_filter.h"
@@ -50,6 +51,10 @@ void ManifoldFilter::updatePriors() {
         const double sigma = parameters_.root_velocity_prior_m_per_s;
         blocks.push_back(
             velocityOfRoot(layout_, now_.state.motion, still, Vector3d::Constant(sigma * sigma)));
+    }
+    if (isSilent()) {
+        observe(std::move(blocks));
+        return holdInSilence();
     }
     const std::vector<bool> silent = silentLinks();
     const Eigen::VectorXd away = coordinateError(tree_, usual_, now_.state.motion);

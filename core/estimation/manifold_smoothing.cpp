@@ -70,7 +70,10 @@ ObservationBlock ManifoldFilter::again(const ObservationBlock& taped, const Step
 }
 
 TapedFrame ManifoldFilter::frame(std::vector<int64_t> times_ns) const {
-    return {std::move(times_ns), now_.state.motion, now_.P.dense().topRows(layout_.freedoms),
+    MotionState motion = now_.state.motion;
+    if (now_.apart)
+        tree_.retract(motion, now_.apart->head(layout_.freedoms));
+    return {std::move(times_ns), std::move(motion), now_.P.dense().topRows(layout_.freedoms),
             now_.give.meanVariance_rad2()};
 }
 

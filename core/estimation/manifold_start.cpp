@@ -161,6 +161,7 @@ void ManifoldFilter::start(const Pose& rest_pose, const RestReadings& rest, cons
     initialise(pose);
     correct(now_.P.update(now_.give.initial(now_.state.motion)));
     now_.step_index = static_cast<int64_t>(std::ceil(rest.end_s / step_s_ - 1e-9));
+    now_.heard_s.assign(suit_.boards.size(), seconds());
     if (parameters_.joints_give) {
         const Covariance P = now_.P;  // a copy: asked as a whole, it sums up otherwise
         RestForces forces(observations_, now_.state, P.dense(), rest, layout_.freedoms);
@@ -209,8 +210,7 @@ void ManifoldFilter::settle(const RestReadings& rest, const RootMeasurement* roo
         if (root)
             blocks.push_back(observations_.root(now_.state, *root, 0));
         for (ObservationBlock& block : blocks)
-            for (Eigen::Index k = 0; k < block.H.cols(); ++k)
-                block.residual += block.H.col(k) * total[block.columns[static_cast<size_t>(k)]];
+            block.residual += block.of(total);
         Covariance P = now_.P;
         const Eigen::VectorXd delta = P.update(blocks);
         const double change = (delta - total).norm();

@@ -89,9 +89,7 @@ void MapProblem::filterStep(const DecidedStep& step, const Leg& leg, Estimate& e
         for (const ObservationBlock& taped : taped_blocks) {
             blocks.push_back(filter_.again(taped, step.input, leg.to, leg.at_s));
             ObservationBlock& block = blocks.back();
-            for (size_t k = 0; k < block.columns.size(); ++k)
-                block.residual -=
-                    block.H.col(static_cast<Eigen::Index>(k)) * estimate.error[block.columns[k]];
+            block.residual -= block.of(estimate.error);
         }
         ObservedUpdate observed;
         estimate.error += estimate.P.update(blocks, tape ? &observed : nullptr);

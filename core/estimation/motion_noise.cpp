@@ -8,12 +8,17 @@ namespace noctule {
 
 MotionNoise::MotionNoise(const KinematicTree& tree, Eigen::VectorXd variance, const std::vector<bool>& adapts,
                          const MotionNoiseParameters& parameters)
-    : parameters_(parameters), first_variance_(std::move(variance)), variance_(first_variance_) {
+    : parameters_(parameters),
+      first_variance_(std::move(variance)),
+      variance_(first_variance_),
+      calm_variance_(first_variance_) {
     for (size_t i = 0; i < tree.links().size(); ++i) {
         const Link& link = tree.links()[i];
         const int turning = link.type == LinkType::kFree ? 3 : link.count;
         if (adapts[i] && link.count > 0)
             turning_.push_back({link.first + link.count - turning, turning});
+        calm_variance_.segment(link.first + link.count - turning, turning)
+            .setConstant(std::pow(parameters_.least_rad_per_s2, 2));
     }
 }
 

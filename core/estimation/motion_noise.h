@@ -30,7 +30,7 @@ public:
                 const MotionNoiseParameters& parameters);
 
     /// Stationary variance of the accelerations, per velocity index.
-    const Eigen::VectorXd& variance() const { return variance_; }
+    const Eigen::VectorXd& variance() const { return calm_ ? calm_variance_ : variance_; }
 
     /// After all observations of one instant: the accelerations' corrections, and by how much their variances
     /// shrank. `interval_s` since the last; `flesh_share` 0 to 1.
@@ -38,6 +38,8 @@ public:
                double flesh_share);
     /// What a gyroscope at the end of its range did not see may have been anything.
     void allowMost(const Link& link);
+    /// Joints are believed to move as little as they may. What was learnt is kept for afterwards.
+    void setCalm(bool calm) { calm_ = calm; }
     /// As it was to begin with, where nothing is learnt.
     void restart() { variance_ = first_variance_; }
 
@@ -47,7 +49,8 @@ private:
     };
     MotionNoiseParameters parameters_;
     std::vector<Turning> turning_;
-    Eigen::VectorXd first_variance_, variance_;
+    Eigen::VectorXd first_variance_, variance_, calm_variance_;
+    bool calm_ = false;
 };
 
 }  // namespace noctule

@@ -60,6 +60,8 @@ struct ObservationBlock {
     ObservationOrigin origin = {};
 
     Eigen::Index rows() const { return residual.size(); }
+    /// H error, of all states.
+    Eigen::VectorXd of(const Eigen::VectorXd& error) const { return H * error(columns); }
 };
 
 /// One state pulled towards a value that is `residual` away.

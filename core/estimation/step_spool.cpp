@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/estimation/step_spool.h"
 
+#include <array>
+
 namespace noctule {
 namespace {
 
@@ -66,6 +68,36 @@ bool takeOne(UnnamedFile& file, RootMeasurement& m) {
            file.take(m.sigma_q_rad);
 }
 
+void putState(UnnamedFile& file, const BodyState& state) {
+    for (const size_t size : {state.motion.q_parent_link.size(), state.motion.angle_rad.size(),
+                              static_cast<size_t>(state.motion.rate.size()), state.gyro_bias.size(),
+                              state.accel_bias.size(), state.source_offset_m.size()})
+        file.put(size);
+    forEachNumber(state, [&](const double* numbers, Eigen::Index count) {
+        file.putBytes(numbers, sizeof(double) * static_cast<size_t>(count));
+    });
+}
+
+bool takeState(UnnamedFile& file, BodyState& state) {
+    std::array<size_t, 6> sizes{};
+    bool whole = true;
+    for (size_t& size : sizes)
+        whole = whole && file.take(size);
+    if (!whole)
+        return false;
+    state.motion.q_parent_link.resize(sizes[0]);
+    state.motion.angle_rad.resize(sizes[1]);
+    state.motion.rate.resize(static_cast<Eigen::Index>(sizes[2]));
+    state.motion.accel.resize(static_cast<Eigen::Index>(sizes[2]));
+    state.gyro_bias.resize(sizes[3]);
+    state.accel_bias.resize(sizes[4]);
+    state.source_offset_m.resize(sizes[5]);
+    forEachNumber(state, [&](double* numbers, Eigen::Index count) {
+        whole = whole && file.takeBytes(numbers, sizeof(double) * static_cast<size_t>(count));
+    });
+    return whole;
+}
+
 template <class Measurement>
 void putAll(UnnamedFile& file, const std::vector<Measurement>& measurements) {
     file.put(measurements.size());
@@ -89,10 +121,23 @@ void putInput(UnnamedFile& file, const ManifoldFilter::StepInput& input) {
     putAll(file, input.roots);
     putAll(file, input.inertial);
     putAll(file, input.distances);
+    file.put(input.about.has_value());
+    if (input.about) {
+        putState(file, input.about->from);
+        putState(file, input.about->to);
+    }
 }
 
 bool takeInput(UnnamedFile& file, ManifoldFilter::StepInput& input) {
-    return takeAll(file, input.roots) && takeAll(file, input.inertial) && takeAll(file, input.distances);
+    bool has_about = false;
+    if (!takeAll(file, input.roots) || !takeAll(file, input.inertial) || !takeAll(file, input.distances) ||
+        !file.take(has_about))
+        return false;
+    input.about.reset();
+    if (!has_about)
+        return true;
+    input.about.emplace();
+    return takeState(file, input.about->from) && takeState(file, input.about->to);
 }
 
 Error unreadableSpool() {

@@ -31,6 +31,9 @@ ManifoldSetup manifoldSetup(const TrackerSettings& settings) {
     parameters.g_m_per_s2 = settings.g_m_per_s2;
     parameters.ground.ground = settings.ground;
     parameters.ground.given = settings.contacts;
+    setup.live_relocation.silence_s = parameters.relocation.silence_s;
+    if (settings.smoother == Smoother::kNone)
+        parameters.relocation = setup.live_relocation;
     return setup;
 }
 

@@ -14,6 +14,8 @@ namespace {
 
 /// Of sound that may wait for the disk or the pipeline, without the pre-roll, which comes all at once.
 constexpr double kQueue_s = 2;
+/// The pipeline needs as long to find the body again after the link was lost (relocation.h).
+constexpr double kRelocation_s = 2;
 
 /// The performer holds the rest pose from the moment on at which the recording was asked for.
 std::optional<std::pair<int64_t, int64_t>> restOf(const StreamRequest& request, int sample_rate_hz,
@@ -138,7 +140,7 @@ Result<LivePlan> livePlanOf(const StreamRequest& request, const link::Hello& hel
                     *calibration,
                     *actor,
                     pipeline,
-                    queueLength_s(pre_roll_samples, hello.sample_rate_hz),
+                    queueLength_s(pre_roll_samples, hello.sample_rate_hz) + kRelocation_s,
                     request.pose_listener};
 }
 

@@ -170,6 +170,31 @@ TEST(ProcessSimulation, WhereMostOfTheSuitIsSilentTheEstimateStays) {
     }
 }
 
+/// The link is lost for a second in the midst of a walk, as when a performer leaves the room.
+TEST(ProcessSimulation, AfterASilenceOfTheWholeSuitTheBodyIsFoundAgain) {
+    if (!std::filesystem::exists(kMotion))
+        GTEST_SKIP() << "no " << kMotion << " (package assimp-testmodels)";
+    const Folder folder;
+    const std::string path = folder.file("silence.noctule");
+    simulate(path, simulation::Level::kReadings, 8);
+    runSql(path,
+           "UPDATE inertial SET gx=NULL, gy=NULL, gz=NULL, ax=NULL, ay=NULL, az=NULL, corrected=NULL "
+           "WHERE sample>=750000 AND sample<900000");
+    runSql(path, "DELETE FROM range WHERE arrival_sample>=750000 AND arrival_sample<900000");
+    const auto mean_deg = [&](double rounds) {
+        ProcessRequest request = requestFor(path);
+        request.tracker.root_given = false;
+        request.tracker.parameters = {{"silence.live_rounds", rounds}};
+        const auto summary = processTake(request, {});
+        EXPECT_TRUE(summary) << summary.error().text();
+        const Comparison comparison = compareRun(path, summary->pose_run);
+        std::printf("%.0f rounds: %.2f degrees, NEES %.1f\n", rounds, comparison.mean_deg,
+                    comparison.nees.value_or(0));
+        return comparison.mean_deg;
+    };
+    EXPECT_LT(mean_deg(2), 0.7 * mean_deg(0));
+}
+
 /// The same motion, read at other rates; at `thinned` a third of the readings is missing here and there.
 TEST(ProcessSimulation, OtherRatesGiveTheSameErrors) {
     if (!std::filesystem::exists(kMotion))

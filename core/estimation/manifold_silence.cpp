@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+// How the filter takes its readings step by step, and looks ahead after a silence of the whole suit.
+#include <algorithm>
+#include <cmath>
+
+#include "core/estimation/manifold_filter.h"
+#include "core/estimation/relocation.h"
+#include "core/math/rotation.h"
+
+namespace noctule {
+
+bool ManifoldFilter::isDue(double time_s) {
+    const auto lookAhead = [&] {
+        const auto next = static_cast<double>(now_.step_index + 1 + std::ssize(ahead_));
+        const bool is_reached = next * step_s_ + inertial_.reach_s() <= time_s;
+        if (is_reached)
+            ahead_.push_back(takeInput());
+        return is_reached;
+    };
+    if (ahead_.empty() && !lookAhead())
+        return false;
+    if (ahead_.front().about || ahead_.front().inertial.empty() || !isSilent() ||
+        parameters_.relocation.rounds == 0)
+        return true;
+    const auto steps = static_cast<size_t>(std::llround(parameters_.relocation.window_s / step_s_));
+    while (ahead_.size() < steps)
+        if (!lookAhead())
+            return false;
+    auto motion = relocate(*this, {ahead_.begin(), ahead_.end()});
+    for (size_t i = 0; i < motion.size(); ++i)
+        ahead_[i].about = std::move(motion[i]);
+    return true;
+}
+
+ManifoldFilter::StepInput ManifoldFilter::nextInput() {
+    if (ahead_.empty())
+        return takeInput();
+    StepInput input = std::move(ahead_.front());
+    ahead_.pop_front();
+    return input;
+}
+
+ManifoldFilter::StepInput ManifoldFilter::takeInput() {
+    const int64_t step = now_.step_index + 1 + std::ssize(ahead_);
+    const double limit_s = (static_cast<double>(step) + 0.5) * step_s_;
+    StepInput input{roots_.takeUpTo(limit_s), {}, distances_.takeUpTo(limit_s), {}};
+    if (step % parameters_.steps_per_frame == 0)
+        input.inertial = inertial_.at(limit_s - 0.5 * step_s_);
+    const auto is_before = [&](const auto& m) { return m.time_s < limit_s - step_s_ - 1e-9; };
+    std::erase_if(input.roots, is_before);
+    return input;
+}
+
+bool ManifoldFilter::isSilent() const {
+    const SensorSelection& sensors = parameters_.sensors;
+    if (!sensors.gyroscopes || !sensors.accelerometers)
+        return false;
+    const double since_s = seconds() - parameters_.relocation.silence_s;
+    bool is_worn = false;
+    for (size_t board = 0; board < suit_.boards.size(); ++board) {
+        if (suit_.boards[board].link < 0)
+            continue;  // on nobody, as an anchor's
+        if (now_.heard_s[board] >= since_s)
+            return false;
+        is_worn = true;
+    }
+    return is_worn;
+}
+
+/// Nobody sees how joints turn: they stop, and may be elsewhere the longer it lasts.
+void ManifoldFilter::holdInSilence() {
+    std::vector<ObservationBlock> blocks;
+    const Eigen::VectorXd away = coordinateError(tree_, usual_, now_.state.motion);
+    Widening widening{Eigen::VectorXd::Zero(layout_.size)};
+    for (size_t i = 0; i < tree_.links().size(); ++i) {
+        const Link& link = tree_.links()[i];
+        if (i == 0 && parameters_.root_given)
+            continue;
+        const int turning = link.type == LinkType::kFree ? 3 : link.count;
+        const double rate2 =
+            std::max(std::pow(parameters_.silent.least_rad_per_s, 2), now_.mean_square_rates[i]);
+        for (int index = link.first + link.count - turning; index < link.first + link.count; ++index) {
+            if (i > 0)
+                blocks.push_back(pull(layout_.theta(index), -away[index], usual_variance_[index]));
+            blocks.push_back(pull(layout_.rate(index), -now_.state.motion.rate[index],
+                                  std::pow(parameters_.silent.rate_rad_per_s, 2)));
+            blocks.push_back(pull(layout_.accel(index), -now_.state.motion.accel[index],
+                                  std::pow(parameters_.silent.accel_rad_per_s2, 2)));
+            widening.variance[layout_.theta(index)] =
+                parameters_.prior_interval_s * parameters_.silent.turn_s * rate2;
+        }
+    }
+    observe(std::move(blocks));
+    now_.P.dense().diagonal() += widening.variance;
+    if (tape_)
+        tape_->push_back(std::move(widening));
+}
+
+void ManifoldFilter::predictAbout(const StepInput::About& about) {
+    if (!now_.apart)
+        linearise(about.from);
+    Eigen::VectorXd& apart = *now_.apart;
+    BodyState expected = about.from;
+    LinkTransitions transition =
+        predictMotion(tree_, expected.motion, now_.P.dense(), step_s_, acceleration_decay_,
+                      now_.motion_noise.variance(), LinkTransitions{tree_.freedoms()});
+    transition.carry(apart);
+    apart += errorBetween(tree_, layout_, about.to, expected);
+    if (tape_)
+        tape_->push_back(std::move(transition));
+    now_.P.dense().diagonal() += wander_;
+    now_.state = about.to;
+    now_.fitted = now_.state.motion;
+}
+
+/// An error after the one between the two turns on the right of it, hence the right Jacobian.
+void ManifoldFilter::linearise(const BodyState& state) {
+    fitErrors();
+    const Eigen::VectorXd moved = errorBetween(tree_, layout_, now_.state, state);
+    LinkTransitions shift{tree_.freedoms()};
+    for (const Link& link : tree_.links())
+        if (const int first = link.first + link.count - 3;
+            link.type == LinkType::kBall || (link.type == LinkType::kFree && link.count == 6))
+            shift.links.push_back(
+                {.first = first, .count = 3, .turn = rightJacobian(moved.segment<3>(first))});
+    carryErrors(std::move(shift));
+    now_.apart = -moved;
+    now_.state = state;
+    now_.fitted = state.motion;
+}
+
+void ManifoldFilter::returnToEstimate() {
+    if (!now_.apart)
+        return;
+    addError(tree_, layout_, *now_.apart, now_.state);
+    now_.apart.reset();
+}
+
+Eigen::VectorXd ManifoldFilter::estimatedAccel() const {
+    const Eigen::VectorXd& accel = now_.state.motion.accel;
+    return now_.apart ? accel + now_.apart->segment(layout_.accel(0), layout_.freedoms) : accel;
+}
+
+}  // namespace noctule
