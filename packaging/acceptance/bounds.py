@@ -27,7 +27,7 @@ def figure(_):
               for motion in existing("walk", "boxer", "hops and turn", "01_03")]
     return "\n\n".join([
         "### Posterior Cramer-Rao bounds, nominal\n\nIn brackets: times the bound. Drawn: on measurements drawn as the "
-        "bound assumes them; rigid: told that joints do not give.", *bounds,
+        "bound assumes them; rigid: joint laxity is not estimated.", *bounds,
         "### People: exact attitudes of all boards, root given\n\nConstant: each board as it is turned in the mean over "
         "the take; calibrated: as the guided movement has told.", *floors,
         f"### Wrong starts\n\n{measured('starts')}"])
