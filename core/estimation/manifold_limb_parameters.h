@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rows of manifold_parameters.h about limbs: how far joints give, and how lost limbs and a body whose
-// suit was silent are found.
+// The rows of manifold_parameters.h about limbs: joint laxity, and the search for lost limbs and for a body
+// whose suit was silent.
 #pragma once
 
 #include "core/estimation/manifold_parameters.h"

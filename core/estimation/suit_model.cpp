@@ -24,7 +24,7 @@ Result<MountedFlesh> mountFlesh(const BoardFlesh& flesh, const std::string& boar
         const int joint = jointOf(flesh.joints[end], actor.skeleton);
         if (joint < 0 && !flesh.joints[end].empty())
             return Error{ErrorKind::kUnusable,
-                         "calibration of board " + board + ": its flesh moves with joint '" +
+                         "calibration of board " + board + ": its soft tissue moves with joint '" +
                              flesh.joints[end] + "', which the performer does not have",
                          "Calibrate from movement with this performer"};
         mounted.joints[end] = joint;

@@ -1647,8 +1647,8 @@
         <translation>Prüfen, ob auf dem Datenträger Platz ist, oder ohne Glättung verarbeiten</translation>
     </message>
     <message>
-        <source>calibration of board %1: its flesh moves with joint '%2', which the performer does not have</source>
-        <translation>Kalibrierung von Platine %1: ihr Gewebe bewegt sich mit Gelenk „%2“, das der Darsteller nicht hat</translation>
+        <source>calibration of board %1: its soft tissue moves with joint '%2', which the performer does not have</source>
+        <translation>Kalibrierung von Platine %1: ihr Weichgewebe bewegt sich mit Gelenk „%2“, das der Darsteller nicht hat</translation>
     </message>
     <message>
         <source>what the smoother had put aside could not be read back</source>
