@@ -204,8 +204,11 @@ Status BatchSmoother::show(const JobContext& job) {
     if (Status read = goToMark(); !read)
         return read;
     const auto frame = [&](std::vector<int64_t> times_ns, const BodyState& state, double flesh_rad2) {
-        tape_.push_back(TapedFrame{std::move(times_ns), state.motion,
-                                   estimate_.P.dense().topRows(filter_.layout().freedoms), flesh_rad2});
+        tape_.push_back(TapedFrame{std::move(times_ns),
+                                   state.motion,
+                                   {},
+                                   estimate_.P.dense().topRows(filter_.layout().freedoms),
+                                   flesh_rad2});
     };
     if (stretch_ == 0 && !rest_times_ns_.empty())
         frame(rest_times_ns_, motion_.at(0), 0);

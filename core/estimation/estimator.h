@@ -27,6 +27,8 @@ public:
     virtual void add(const DistanceMeasurement& measurement) = 0;
     virtual void add(const RootMeasurement& measurement) = 0;
     virtual void advanceTo(double time_s) = 0;
+    /// Before the last advanceTo(): nothing more will be added, so nothing may wait for it.
+    virtual void end() {}
 
     /// Poses (140 a second) and decisions on distances since the last call.
     virtual std::vector<TimedPose> takePoses() = 0;

@@ -19,6 +19,7 @@ namespace noctule {
 struct TapedFrame {
     std::vector<int64_t> times_ns;  ///< several while the body is still
     MotionState motion;
+    Eigen::VectorXd apart;   ///< added to `motion` gives the estimate; empty: it is that
     Eigen::MatrixXd P_pose;  ///< covariance of the coordinates with all states: freedoms x n
     double flesh_rad2 = 0;   ///< as in jointSigmas()
 };

@@ -63,6 +63,11 @@ void JointFilter::start(size_t body, const Pose& rest_pose, const RestReadings& 
     bodies_[body].rest = rest;
 }
 
+void JointFilter::end(size_t body) {
+    bodies_[body].ended = true;
+    bodies_[body].filter->end();
+}
+
 double JointFilter::now_s(size_t body) const {
     return alignment_.clocks[body].common_s(bodies_[body].filter->seconds());
 }
@@ -131,8 +136,8 @@ void JointFilter::advance(bool ended) {
         return;
     if (!begun_)
         begin();
-    for (Body& body : bodies_)
-        body.ended |= ended;
+    for (size_t i = 0; ended && i < bodies_.size(); ++i)
+        end(i);
     while (true) {
         size_t first = bodies_.size();
         double first_s = 0;

@@ -57,7 +57,7 @@ public:
     const ManifoldFilter& filter(size_t body) const { return *bodies_[body].filter; }
     void promise(size_t body, double time_s) { bodies_[body].given_s = time_s; }
     /// Nothing more comes of it: the others go on without it.
-    void end(size_t body) { bodies_[body].ended = true; }
+    void end(size_t body);
     std::vector<TimedPose> takePoses(size_t body) { return std::exchange(bodies_[body].poses, {}); }
 
     /// Goes as far as all bodies' data allow. Nothing happens before each has started. `ended`: what has been

@@ -114,6 +114,9 @@ std::optional<JointRow> JointFilter::rowOf(const JointDistance& distance, double
     if (const int scale = filter(of_sound).layout().sound_scale; scale >= 0)
         addColumn(row.of[of_sound], scale, geometric);
     row.residual = distance.distance_m(alignment_.clocks) - expected;
+    for (size_t member = 0; member < bodies_.size(); ++member)
+        if (const auto& apart = filter(member).memory().apart; apart && !row.of[member].columns.empty())
+            row.residual -= row.of[member].of(*apart)[0];
     const double sigma = distance.sigma_m / std::max(distance.confidence, kLeastConfidence);
     const ManifoldParameters& parameters = filter(of_sound).parameters();
     row.variance =

@@ -138,7 +138,8 @@ ManifoldFilter::ManifoldFilter(const Skeleton& skeleton, SuitModel suit, const M
         variance.head<3>().setConstant(std::pow(parameters_.root_accel_m_per_s2, 2));
         variance.segment<3>(3).setConstant(std::pow(parameters_.root_turn_accel_rad_per_s2, 2));
     }
-    now_.motion_noise = MotionNoise(tree_, variance, adapts, parameters_.motion_noise);
+    now_.motion_noise =
+        MotionNoise(tree_, variance, adapts, parameters_.motion_noise, parameters_.root_given);
 }
 
 void ManifoldFilter::add(const InertialMeasurement& measurement) {
@@ -196,7 +197,7 @@ void ManifoldFilter::step(const StepInput& input) {
     const auto prior_steps = std::max<int64_t>(1, std::llround(parameters_.prior_interval_s / step_s_));
     if (now_.step_index % prior_steps == 0)
         updatePriors();
-    now_.motion_noise.setCalm(isSilent());
+    noteSilence();
     if (!isAtFrame())
         return;
     if (tape_)
@@ -300,7 +301,8 @@ void ManifoldFilter::updateDistances(const std::vector<DistanceMeasurement>& mea
     const double now_s = seconds();
     for (const DistanceMeasurement& measurement : measurements) {
         DistanceDecision decision{measurement.id, measurement.board, RangeFate::kNoConfidence, 1, 0, 0};
-        if (measurement.arrival_s < now_s - 0.5 * step_s_ - 1e-9) {  // before the first step
+        // Before the first step; or nobody knows where the limbs are, and distances alone would drive them.
+        if (measurement.arrival_s < now_s - 0.5 * step_s_ - 1e-9 || (now_.lost && !now_.apart)) {
             decision.fate = RangeFate::kNotTried;
             decisions_.push_back(decision);
             continue;

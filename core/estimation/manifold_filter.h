@@ -145,9 +145,12 @@ public:
         std::vector<double> heard_s;            ///< per board, of the last step with its turning
         std::vector<double> mean_square_rates;  ///< per link, of one axis, while they are seen
         MotionState fitted;                     ///< the motion that P's errors are those of
-        /// While steps are linearised about another state than the estimate: that is `state`, and this what
-        /// the estimate is apart from it.
+        /// While steps are linearised about another state than the estimate, `state` is that other one, and
+        /// this error added to it gives the estimate.
         std::optional<Eigen::VectorXd> apart;
+        bool lost = false;             ///< the whole suit fell silent, and most of it still is
+        std::optional<double> back_s;  ///< since then: when its first board was heard
+        double relocated_s = -1e9;
         int64_t step_index = 0;
         std::vector<BoardNoise> board_noise;
         std::vector<LimbAlignment> alignments;  ///< per board
@@ -165,6 +168,7 @@ public:
     void add(const DistanceMeasurement& measurement) override;
     void add(const RootMeasurement& measurement) override;
     void advanceTo(double time_s) override;
+    void end() override { ended_ = true; }
     std::vector<TimedPose> takePoses() override { return std::exchange(poses_, {}); }
     std::vector<DistanceDecision> takeDecisions() override { return std::exchange(decisions_, {}); }
     std::vector<FootContacts> contacts() const override { return contacts_.feet(); }
@@ -218,8 +222,17 @@ public:
 
 private:
     StepInput takeInput();
-    /// No board of the body has been heard for relocation.silence_s.
+    struct Hearing {
+        size_t worn = 0, heard = 0;
+    };
+    /// Of the boards on the body that have ever been heard: those that were within so many seconds, or are
+    /// now.
+    Hearing hearing(double within_s, const std::vector<InertialMeasurement>& now = {}) const;
+    bool speaks(const InertialMeasurement& measurement) const;
+    /// Nothing has been heard for relocation.silence_s.
     bool isSilent() const;
+    void noteSilence();
+    bool findsTheBody(const StepInput& input) const;
     void holdInSilence();
     void predictAbout(const StepInput::About& about);
     void linearise(const BodyState& state);
@@ -264,7 +277,6 @@ private:
         return parameters_.sensors.gyroscopes ? parameters_.blind : parameters_.all_blind;
     }
     bool isBlind(const Link& link) const { return !gyroscope_joints_[static_cast<size_t>(link.joint)]; }
-    /// Of the boards that are heard, all three axes are.
     void noteHeard(const std::vector<InertialMeasurement>& measurements);
     /// Per link: its boards are silent, as most of the suit is.
     std::vector<bool> silentLinks() const;
@@ -307,6 +319,7 @@ private:
     Eigen::VectorXd wander_;
     double step_s_ = 0;
     ReadingGrid inertial_;
+    bool ended_ = false;
     std::deque<StepInput> ahead_;  ///< inputs of the next steps, as far as they were looked at
     TimeQueue<DistanceMeasurement> distances_;
     TimeQueue<RootMeasurement> roots_;

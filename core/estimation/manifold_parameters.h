@@ -10,8 +10,8 @@ namespace noctule {
 
 struct ManifoldSetup {
     ManifoldParameters filter;
-    /// In place of the filter's where a live body waits for it.
-    RelocationParameters live_relocation{.window_s = 0.4, .rounds = 2};
+    /// In place of the filter's without a smoother, as live: it takes no longer than sound may wait.
+    RelocationParameters live_relocation{.window_s = 0.4, .pause_s = 3, .rounds = 2};
     double lag_s = 0.5, stride_s = 0.2;  ///< FixedLagSmoother
     double stretch_s = 2;                ///< FixedIntervalSmoother
     BatchParameters batch;

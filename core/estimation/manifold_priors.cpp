@@ -13,12 +13,6 @@ constexpr double kSilent_s = 0.25;  ///< without readings of a board
 
 }  // namespace
 
-void ManifoldFilter::noteHeard(const std::vector<InertialMeasurement>& measurements) {
-    for (const InertialMeasurement& measurement : measurements)
-        if ((parameters_.sensors.gyroscopes ? measurement.gyro : measurement.accel).count == 3)
-            now_.heard_s[static_cast<size_t>(measurement.board)] = seconds();
-}
-
 /// A gap of the whole link ends board by board and axis by axis. Until most are back, distances alone would
 /// drive the limbs.
 std::vector<bool> ManifoldFilter::silentLinks() const {

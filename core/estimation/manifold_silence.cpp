@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/estimation/manifold_filter.h"
+#include "core/estimation/prediction.h"
 #include "core/estimation/relocation.h"
 #include "core/math/rotation.h"
 
@@ -19,14 +20,17 @@ bool ManifoldFilter::isDue(double time_s) {
     };
     if (ahead_.empty() && !lookAhead())
         return false;
-    if (ahead_.front().about || ahead_.front().inertial.empty() || !isSilent() ||
-        parameters_.relocation.rounds == 0)
+    if (ahead_.front().about || !findsTheBody(ahead_.front()))
         return true;
     const auto steps = static_cast<size_t>(std::llround(parameters_.relocation.window_s / step_s_));
     while (ahead_.size() < steps)
-        if (!lookAhead())
-            return false;
+        if (!lookAhead()) {
+            if (!ended_)
+                return false;
+            break;
+        }
     auto motion = relocate(*this, {ahead_.begin(), ahead_.end()});
+    now_.lost = !motion.empty();  // else it goes on as it can
     for (size_t i = 0; i < motion.size(); ++i)
         ahead_[i].about = std::move(motion[i]);
     return true;
@@ -51,20 +55,62 @@ ManifoldFilter::StepInput ManifoldFilter::takeInput() {
     return input;
 }
 
+bool ManifoldFilter::speaks(const InertialMeasurement& measurement) const {
+    return (parameters_.sensors.gyroscopes ? measurement.gyro : measurement.accel).count == 3;
+}
+
+void ManifoldFilter::noteHeard(const std::vector<InertialMeasurement>& measurements) {
+    for (const InertialMeasurement& measurement : measurements)
+        if (speaks(measurement))
+            now_.heard_s[static_cast<size_t>(measurement.board)] = seconds();
+}
+
+ManifoldFilter::Hearing ManifoldFilter::hearing(double within_s,
+                                                const std::vector<InertialMeasurement>& now) const {
+    std::vector<double> heard_s = now_.heard_s;
+    for (const InertialMeasurement& measurement : now)
+        if (speaks(measurement))
+            heard_s[static_cast<size_t>(measurement.board)] = seconds();
+    Hearing hearing;
+    for (size_t board = 0; board < suit_.boards.size(); ++board) {
+        if (suit_.boards[board].link < 0 || heard_s[board] == 0)
+            continue;  // on nobody, as an anchor's, or never heard
+        ++hearing.worn;
+        hearing.heard += seconds() - heard_s[board] <= within_s;
+    }
+    return hearing;
+}
+
 bool ManifoldFilter::isSilent() const {
     const SensorSelection& sensors = parameters_.sensors;
-    if (!sensors.gyroscopes || !sensors.accelerometers)
-        return false;
-    const double since_s = seconds() - parameters_.relocation.silence_s;
-    bool is_worn = false;
-    for (size_t board = 0; board < suit_.boards.size(); ++board) {
-        if (suit_.boards[board].link < 0)
-            continue;  // on nobody, as an anchor's
-        if (now_.heard_s[board] >= since_s)
-            return false;
-        is_worn = true;
+    const Hearing now = hearing(parameters_.relocation.silence_s);
+    return sensors.gyroscopes && sensors.accelerometers && now.worn > 0 && now.heard == 0;
+}
+
+/// At the end of a step.
+void ManifoldFilter::noteSilence() {
+    constexpr double kGivenUp_s = 1;  // most of the suit may be broken
+    const bool is_silent = isSilent();
+    now_.motion_noise.setCalm(is_silent);
+    if (is_silent) {
+        now_.lost = true;
+        now_.back_s.reset();
     }
-    return is_worn;
+    if (!now_.lost || is_silent)
+        return;
+    if (!now_.back_s)
+        now_.back_s = seconds();
+    const Hearing now = hearing(parameters_.relocation.silence_s);
+    now_.lost = 2 * now.heard < now.worn && seconds() - *now_.back_s < kGivenUp_s;
+}
+
+/// After a silence of the whole suit its boards come back one by one.
+bool ManifoldFilter::findsTheBody(const StepInput& input) const {
+    const RelocationParameters& relocation = parameters_.relocation;
+    if (!now_.lost || relocation.rounds == 0 || seconds() - now_.relocated_s < relocation.pause_s)
+        return false;
+    const Hearing now = hearing(relocation.silence_s, input.inertial);
+    return 2 * now.heard >= now.worn;
 }
 
 /// Nobody sees how joints turn: they stop, and may be elsewhere the longer it lasts.
@@ -86,6 +132,9 @@ void ManifoldFilter::holdInSilence() {
                                   std::pow(parameters_.silent.rate_rad_per_s, 2)));
             blocks.push_back(pull(layout_.accel(index), -now_.state.motion.accel[index],
                                   std::pow(parameters_.silent.accel_rad_per_s2, 2)));
+            // It may begin to turn at any time.
+            widening.variance[layout_.rate(index)] = rate2;
+            widening.variance[layout_.accel(index)] = rate2 / std::pow(parameters_.prior_interval_s, 2);
             widening.variance[layout_.theta(index)] =
                 parameters_.prior_interval_s * parameters_.silent.turn_s * rate2;
         }
@@ -97,8 +146,10 @@ void ManifoldFilter::holdInSilence() {
 }
 
 void ManifoldFilter::predictAbout(const StepInput::About& about) {
-    if (!now_.apart)
+    if (!now_.apart) {
         linearise(about.from);
+        now_.relocated_s = seconds();
+    }
     Eigen::VectorXd& apart = *now_.apart;
     BodyState expected = about.from;
     LinkTransitions transition =

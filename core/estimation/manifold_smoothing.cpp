@@ -70,17 +70,17 @@ ObservationBlock ManifoldFilter::again(const ObservationBlock& taped, const Step
 }
 
 TapedFrame ManifoldFilter::frame(std::vector<int64_t> times_ns) const {
-    MotionState motion = now_.state.motion;
+    Eigen::VectorXd apart;
     if (now_.apart)
-        tree_.retract(motion, now_.apart->head(layout_.freedoms));
-    return {std::move(times_ns), std::move(motion), now_.P.dense().topRows(layout_.freedoms),
-            now_.give.meanVariance_rad2()};
+        apart = now_.apart->head(layout_.freedoms);
+    return {std::move(times_ns), now_.state.motion, std::move(apart),
+            now_.P.dense().topRows(layout_.freedoms), now_.give.meanVariance_rad2()};
 }
 
 TimedPose ManifoldFilter::poseOf(const TapedFrame& frame, int64_t time_ns, const Eigen::VectorXd& error,
                                  const Eigen::MatrixXd& covariance) const {
     MotionState motion = frame.motion;
-    tree_.retract(motion, error);
+    tree_.retract(motion, frame.apart.size() > 0 ? frame.apart + error : error);
     return {time_ns, tree_.poseFromState(motion),
             jointSigmas(tree_, skeleton_, motion, covariance, frame.flesh_rad2, mounting_rad2_)};
 }

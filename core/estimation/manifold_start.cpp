@@ -161,7 +161,6 @@ void ManifoldFilter::start(const Pose& rest_pose, const RestReadings& rest, cons
     initialise(pose);
     correct(now_.P.update(now_.give.initial(now_.state.motion)));
     now_.step_index = static_cast<int64_t>(std::ceil(rest.end_s / step_s_ - 1e-9));
-    now_.heard_s.assign(suit_.boards.size(), seconds());
     if (parameters_.joints_give) {
         const Covariance P = now_.P;  // a copy: asked as a whole, it sums up otherwise
         RestForces forces(observations_, now_.state, P.dense(), rest, layout_.freedoms);

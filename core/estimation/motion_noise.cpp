@@ -7,7 +7,7 @@
 namespace noctule {
 
 MotionNoise::MotionNoise(const KinematicTree& tree, Eigen::VectorXd variance, const std::vector<bool>& adapts,
-                         const MotionNoiseParameters& parameters)
+                         const MotionNoiseParameters& parameters, bool root_is_seen)
     : parameters_(parameters),
       first_variance_(std::move(variance)),
       variance_(first_variance_),
@@ -17,8 +17,9 @@ MotionNoise::MotionNoise(const KinematicTree& tree, Eigen::VectorXd variance, co
         const int turning = link.type == LinkType::kFree ? 3 : link.count;
         if (adapts[i] && link.count > 0)
             turning_.push_back({link.first + link.count - turning, turning});
-        calm_variance_.segment(link.first + link.count - turning, turning)
-            .setConstant(std::pow(parameters_.least_rad_per_s2, 2));
+        if (i > 0 || !root_is_seen)
+            calm_variance_.segment(link.first + link.count - turning, turning)
+                .setConstant(std::pow(parameters_.least_rad_per_s2, 2));
     }
 }
 

@@ -25,9 +25,10 @@ struct MotionNoiseParameters {
 class MotionNoise {
 public:
     MotionNoise() = default;
-    /// `variance`: of the accelerations, per velocity index, to begin with; `adapts`: per link.
+    /// `variance`: of the accelerations, per velocity index, to begin with; `adapts`: per link;
+    /// `root_is_seen`: by another system, so that it is never calm.
     MotionNoise(const KinematicTree& tree, Eigen::VectorXd variance, const std::vector<bool>& adapts,
-                const MotionNoiseParameters& parameters);
+                const MotionNoiseParameters& parameters, bool root_is_seen = false);
 
     /// Stationary variance of the accelerations, per velocity index.
     const Eigen::VectorXd& variance() const { return calm_ ? calm_variance_ : variance_; }

@@ -35,14 +35,17 @@ public:
             steps_.push_back(std::move(step));
             found.push_back(filter_.state());
         }
+        filter_.setTape(nullptr);
         if (states_.empty())
             states_ = std::move(found);
     }
 
     /// Full steps: one opens gaps between states, which cost a lot, and the next closes them.
-    void fit() {
+    /// False where none gains.
+    bool fit() {
         std::vector<BodyState> moving = states_;
         double least = costOf(states_);
+        const double begin = least;
         for (int step = 0, in_vain = 0; step < kMostSteps && in_vain < kMostInVain; ++step) {
             const std::vector<Eigen::VectorXd> errors = errorsOf(moving);
             for (size_t i = 0; i < moving.size(); ++i)
@@ -53,9 +56,10 @@ public:
                 continue;
             states_ = moving;
             if (std::exchange(least, cost) - cost < kSettledGain * cost)
-                return;
+                break;
             in_vain = 0;
         }
+        return least < begin;
     }
 
     std::vector<ManifoldFilter::StepInput::About> legs() const {
@@ -106,14 +110,15 @@ std::vector<ManifoldFilter::StepInput::About> relocate(ManifoldFilter filter,
             reading.accel.count = 0;
     }
     window.decide(turns);
+    bool is_found = false;
     for (int round = 0; round < filter.parameters().relocation.rounds; ++round) {
         const auto legs = window.legs();
         for (size_t i = 0; i < ahead.size(); ++i)
             ahead[i].about = legs[i];
         window.decide(ahead);
-        window.fit();
+        is_found |= window.fit();
     }
-    return window.legs();
+    return is_found ? window.legs() : std::vector<ManifoldFilter::StepInput::About>();
 }
 
 }  // namespace noctule

@@ -25,6 +25,7 @@ public:
     void add(const InertialMeasurement& measurement) override { filter_.add(measurement); }
     void add(const DistanceMeasurement& measurement) override { filter_.add(measurement); }
     void add(const RootMeasurement& measurement) override { filter_.add(measurement); }
+    void end() override { filter_.end(); }
     std::vector<TimedPose> takePoses() override { return std::exchange(poses_, {}); }
     std::vector<DistanceDecision> takeDecisions() override { return filter_.takeDecisions(); }
     std::vector<FootContacts> contacts() const override { return filter_.contacts(); }

@@ -84,6 +84,8 @@ void LivePipeline::track(int64_t watermark) {
 
 void LivePipeline::finish() {
     decoder_->finish();
+    if (tracker_)
+        tracker_->end();
     track(samples_end_);
 }
 

@@ -63,6 +63,8 @@ public:
     void add(const RootMeasurement& root);
     /// Everything with an instant before this sample has been added.
     void advanceTo(int64_t watermark_sample);
+    /// As that of Estimator.
+    void end() { estimator_->end(); }
 
     std::vector<TimedPose> takePoses();
     /// Ranges as judged: w_a from the pose then believed, fate and innovation. Each comes out once, after its

@@ -45,6 +45,8 @@ Result<FedFrames> feedTracker(const Take& take, const Ingredients& in, MotionTra
             if (!range)
                 return range.error();
         }
+        if (at_end)
+            tracker.end();
         tracker.advanceTo(watermark);
         if (Status done = collect(watermark); !done)
             return done;

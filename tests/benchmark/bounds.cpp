@@ -208,7 +208,7 @@ private:
                 continue;
             const MotionState& truth = scene_.instants[k].truth.motion;
             if (tape)
-                tape->push_back(TapedFrame{{0}, truth, P.dense().topRows(layout_.freedoms)});
+                tape->push_back(TapedFrame{{0}, truth, {}, P.dense().topRows(layout_.freedoms)});
             else
                 filtered_.add(meanAngle(truth, P.dense()));
         }

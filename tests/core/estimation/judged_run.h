@@ -28,6 +28,8 @@ inline Judged judge(Estimator& estimator, const ManifoldParameters& parameters, 
         truth[std::llround(t * 1e9)] = world.tree.poseFromState(world.motion);
         estimator.advanceTo(t);
     });
+    estimator.end();
+    estimator.advanceTo(seconds);
     Judged judged;
     judged.poses = estimator.takePoses();
     while (estimator.portionsLeft() > 0) {  // earlier and earlier ones
