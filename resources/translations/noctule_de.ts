@@ -2154,8 +2154,8 @@
     <message numerus="yes">
         <source>Listening for %n s.</source>
         <translation>
-            <numerusform>Hört seit %n s zu.</numerusform>
-            <numerusform>Hört seit %n s zu.</numerusform>
+            <numerusform>Hört seit %n&#xa0;s zu.</numerusform>
+            <numerusform>Hört seit %n&#xa0;s zu.</numerusform>
         </translation>
     </message>
     <message>
@@ -6340,7 +6340,7 @@ Abgebrochene Aufträge lassen ihre Aufnahmen, wie sie waren.</translation>
     </message>
     <message>
         <source>For people and rooms. Errors of measurement stay in millimetres; plots, places of boards and files stay metric. Any unit may be typed: 5&apos;11&quot;, 71 in, 180 cm, 1.8 m.</source>
-        <translation>Für Menschen und Räume. Messfehler bleiben in Millimetern; Kurven, Plätze der Platinen und Dateien bleiben metrisch. Getippt werden darf jede Einheit: 5&apos;11&quot;, 71 in, 180 cm, 1,8 m.</translation>
+        <translation>Für Menschen und Räume. Messfehler bleiben in Millimetern; Kurven, Plätze der Platinen und Dateien bleiben metrisch. Getippt werden darf jede Einheit: 5&apos;11&quot;, 71&#xa0;in, 180&#xa0;cm, 1,8&#xa0;m.</translation>
     </message>
 </context>
 <context>
@@ -8810,7 +8810,7 @@ Median; gut: unter %1</translation>
     </message>
     <message>
         <source>They lie below 0 or beyond 20 m, or miss the pose by far. Check the unit of recordings from elsewhere, else source offsets and places of boards.</source>
-        <translation>Sie liegen unter 0 oder über 20 m oder weit neben der Pose. Bei fremden Aufnahmen die Einheit prüfen, sonst die Versätze der Quellen und den Sitz der Platinen.</translation>
+        <translation>Sie liegen unter 0 oder über 20&#xa0;m oder weit neben der Pose. Bei fremden Aufnahmen die Einheit prüfen, sonst die Versätze der Quellen und den Sitz der Platinen.</translation>
     </message>
     <message>
         <source>%1 joined at %2</source>

@@ -80,8 +80,8 @@
     <message numerus="yes">
         <source>Listening for %n s.</source>
         <translation>
-            <numerusform>Listening for %n s.</numerusform>
-            <numerusform>Listening for %n s.</numerusform>
+            <numerusform>Listening for %n&#xa0;s.</numerusform>
+            <numerusform>Listening for %n&#xa0;s.</numerusform>
         </translation>
     </message>
 </context>

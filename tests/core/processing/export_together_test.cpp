@@ -161,7 +161,7 @@ TEST_F(ExportTogether, WhoAreNeverSeenAtOneTimeStandStillInTurn) {
     const auto summary = exportStacks(*requests, {});
     ASSERT_TRUE(summary) << summary.error().text();
     EXPECT_EQ(summary->held, (std::vector<std::string>{"Ada holds its last pose from 1.4 s on.",
-                                                          "Bea holds its first pose until 1.5 s."}));
+                                                       "Bea holds its first pose until 1.5 s."}));
 }
 
 TEST_F(ExportTogether, APerformerWithoutPosesIsNotLeftOutSilently) {
