@@ -181,7 +181,7 @@ TEST(ProcessSimulation, AfterASilenceOfTheWholeSuitTheBodyIsFoundAgain) {
            "UPDATE inertial SET gx=NULL, gy=NULL, gz=NULL, ax=NULL, ay=NULL, az=NULL, corrected=NULL "
            "WHERE sample>=750000 AND sample<900000");
     runSql(path, "DELETE FROM range WHERE arrival_sample>=750000 AND arrival_sample<900000");
-    const auto mean_deg = [&](double rounds) {
+    const auto compared = [&](double rounds) {
         ProcessRequest request = requestFor(path);
         request.tracker.root_given = false;
         request.tracker.parameters = {{"silence.live_rounds", rounds}};
@@ -190,9 +190,12 @@ TEST(ProcessSimulation, AfterASilenceOfTheWholeSuitTheBodyIsFoundAgain) {
         const Comparison comparison = compareRun(path, summary->pose_run);
         std::printf("%.0f rounds: %.2f degrees, NEES %.1f\n", rounds, comparison.mean_deg,
                     comparison.nees.value_or(0));
-        return comparison.mean_deg;
+        return comparison;
     };
-    EXPECT_LT(mean_deg(2), 0.7 * mean_deg(0));
+    const Comparison found = compared(2), not_looked_for = compared(0);
+    EXPECT_LT(found.mean_deg, not_looked_for.mean_deg) << "both guess during the silence";
+    EXPECT_LT(found.nees.value(), 2);
+    EXPECT_GT(not_looked_for.nees.value(), 5) << "the test asks for nothing";
 }
 
 /// The same motion, read at other rates; at `thinned` a third of the readings is missing here and there.
