@@ -90,7 +90,7 @@ TEST(Relocation, FindsTheBodyAfterASilenceAndIsHonest) {
 }
 
 TEST(Relocation, OneBoardThatComesBackFirstIsNotTheSuit) {
-    const Spread found = afterTheSilence(2, kBack_s - 0.3);
+    const Spread found = afterTheSilence(2, kBack_s - 0.15);
     EXPECT_LT(found.rms_deg, 0.5 * afterTheSilence(0).rms_deg);
     EXPECT_LT(found.nees, 2);
 }
