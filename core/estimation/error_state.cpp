@@ -58,4 +58,14 @@ Eigen::VectorXd errorBetween(const KinematicTree& tree, const StateLayout& layou
     return error;
 }
 
+LinkTransitions shiftOfErrors(const KinematicTree& tree, const Eigen::VectorXd& moved) {
+    LinkTransitions shift{tree.freedoms()};
+    for (const Link& link : tree.links())
+        if (const int first = link.first + link.count - 3;
+            link.type == LinkType::kBall || (link.type == LinkType::kFree && link.count == 6))
+            shift.links.push_back(
+                {.first = first, .count = 3, .turn = rightJacobian(moved.segment<3>(first))});
+    return shift;
+}
+
 }  // namespace noctule

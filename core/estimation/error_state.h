@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/estimation/observation.h"
+#include "core/math/transition_kernels.h"
 
 namespace noctule {
 
@@ -16,6 +17,10 @@ void addError(const KinematicTree& tree, const StateLayout& layout, const Eigen:
 /// What added to `from` gives `to`.
 Eigen::VectorXd errorBetween(const KinematicTree& tree, const StateLayout& layout, const BodyState& from,
                              const BodyState& to);
+
+/// To errors of the state that `moved`, added to the one they are of, gives: one after another turns on its
+/// right, hence right Jacobians.
+LinkTransitions shiftOfErrors(const KinematicTree& tree, const Eigen::VectorXd& moved);
 
 /// Calls `each(numbers, count)` for all there is in a state.
 template <class State, class Each>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Gauss-Newton's step for the motion of one stretch, in memory: the filter over it, linearised about the
-// motion, and back the adjoint of every step, which gives the noises: -Q lambda. Forward with them from the
-// stretch's begin, where the error is that of the filter less P lambda (Koopman, "Disturbance smoother for
-// state space models", Biometrika 80, 1993).
+// Gauss-Newton's step for the motion of one stretch, in memory. The filter goes over it, linearised about the
+// motion. Going back gives the adjoint lambda of every step, and with it the step's noise, -Q lambda. Going
+// forward with these noises gives the errors. At the begin the error is the filter's less P lambda (Koopman,
+// "Disturbance smoother for state space models", Biometrika 80, 1993).
 #pragma once
 
 #include <vector>

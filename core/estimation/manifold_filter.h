@@ -87,8 +87,8 @@ struct ManifoldParameters {
 
     double prior_interval_s = 0.1;
 
-    /// While the whole suit is silent a joint may turn about as fast as it usually does, to and fro: its
-    /// angle's variance grows by this time times the square of that rate.
+    /// While the whole suit is silent a joint may turn to and fro, about as fast as it usually does. Its
+    /// angle's variance then grows, each second, by turn_s times the square of that rate.
     struct Silent {
         double turn_s = 0.3, least_rad_per_s = 0.5;
         double rate_rad_per_s = 0.5, accel_rad_per_s2 = 2;  ///< priors about 0, once per prior_interval_s

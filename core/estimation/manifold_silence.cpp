@@ -6,7 +6,6 @@
 #include "core/estimation/manifold_filter.h"
 #include "core/estimation/prediction.h"
 #include "core/estimation/relocation.h"
-#include "core/math/rotation.h"
 
 namespace noctule {
 
@@ -164,17 +163,10 @@ void ManifoldFilter::predictAbout(const StepInput::About& about) {
     now_.fitted = now_.state.motion;
 }
 
-/// An error after the one between the two turns on the right of it, hence the right Jacobian.
 void ManifoldFilter::linearise(const BodyState& state) {
     fitErrors();
     const Eigen::VectorXd moved = errorBetween(tree_, layout_, now_.state, state);
-    LinkTransitions shift{tree_.freedoms()};
-    for (const Link& link : tree_.links())
-        if (const int first = link.first + link.count - 3;
-            link.type == LinkType::kBall || (link.type == LinkType::kFree && link.count == 6))
-            shift.links.push_back(
-                {.first = first, .count = 3, .turn = rightJacobian(moved.segment<3>(first))});
-    carryErrors(std::move(shift));
+    carryErrors(shiftOfErrors(tree_, moved));
     now_.apart = -moved;
     now_.state = state;
     now_.fitted = state.motion;

@@ -60,16 +60,11 @@ double MapProblem::stepCost(const DecidedStep& step, const Leg& leg) const {
     return 0.5 * twice;
 }
 
-/// An error after the one between them turns on the right of it, hence the right Jacobian.
 MapProblem::Estimate MapProblem::prior(const BodyState& first) const {
     const Eigen::VectorXd moved = errorBetween(filter_.tree(), filter_.layout(), first_, first);
-    Eigen::MatrixXd J = Eigen::MatrixXd::Identity(moved.size(), moved.size());
-    for (const Link& link : filter_.tree().links())
-        if (const int at = link.first + link.count - 3;
-            link.type == LinkType::kBall || link.type == LinkType::kFree)
-            J.block<3, 3>(at, at) = rightJacobian(moved.segment<3>(at));
     Estimate estimate{-moved, Covariance(Eigen::VectorXd::Zero(moved.size()))};
-    estimate.P.dense() = J * P_first_ * J.transpose();
+    estimate.P.dense() = P_first_;
+    shiftOfErrors(filter_.tree(), moved).carry(estimate.P.dense());
     return estimate;
 }
 

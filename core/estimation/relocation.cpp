@@ -95,7 +95,7 @@ private:
     ManifoldFilter::Memory before_;
     double begin_s_;
     std::vector<DecidedStep> steps_;
-    std::vector<BodyState> states_;  ///< one more
+    std::vector<BodyState> states_;  ///< before the first step, then at the end of each
 };
 
 }  // namespace
